@@ -1,4 +1,4 @@
-"""A collar folded down over the torso: cut along the neckline, in four, with points or lapels in front."""
+"""A collar folded down over the torso: cut along the neckline, in four, with points or rounded ends."""
 
 from __future__ import annotations
 
@@ -6,14 +6,11 @@ import math
 from dataclasses import dataclass, replace
 from typing import Literal
 
-import numpy as np
-
-from swifttailor.pattern import curve as curves
 from swifttailor.pattern.drafts.bodice import BACK_Z, FRONT_Z
 from swifttailor.pattern.drafts.cutting_table import CuttingTable, Piece
 from swifttailor.pattern.drafts.outline import Outline, Point, Side
 
-FrontShape = Literal["notched", "shawl", "rounded", "sailor"]
+FrontShape = Literal["rounded", "sailor"]
 _OUTSIDE = 4.0
 """How far outside the torso it stands before draping, cm."""
 _POINT_OUT = 0.55
@@ -28,8 +25,6 @@ _SAILOR_OUT, _SAILOR_UP = 0.62, 0.3
 """Where the outer edge of its front bends, as parts of the way out and up to the shoulder."""
 _OF_SHOULDER = 0.86
 """Part of the shoulder that a collar covers at most."""
-_GORGE = 0.6
-"""Height of the points of lapels, as a part of the neckline's."""
 
 
 @dataclass(frozen=True)
@@ -38,11 +33,9 @@ class FoldCollar:
 
     width: float
     """Neckline to outer edge at the shoulder, cm."""
-    lapels: FrontShape | None = None
-    """What it has in front; None for two points at the end of the neckline. Rounded ends are no lapels, and
-    a sailor collar ends in the point of the neckline, and behind in a deep square."""
-    lapel_width: float = 0.0
-    """Neckline to outer edge where lapels are widest, cm."""
+    ends: FrontShape | None = None
+    """What it has in front; None for two points at the end of the neckline. A sailor collar ends in the point
+    of the neckline, and behind in a deep square."""
 
 
 def lay_fold_collar(table: CuttingTable, shape: FoldCollar) -> None:
@@ -53,31 +46,29 @@ def lay_fold_collar(table: CuttingTable, shape: FoldCollar) -> None:
     """
     for face, torso in (("front", "left_ftorso"), ("back", "left_btorso")):
         front = face == "front"
-        neck = _neck(table.pieces[torso], back=not front)
+        neck = neckline_sides(table.pieces[torso], back=not front)
         low = neck[-1].end[1]
         ends = _shoulder(table.pieces[torso], back=not front)
         outer = _along(ends, min(shape.width, _OF_SHOULDER * math.dist(*ends)))
         outline = Outline(0.0, low)
-        if not front and shape.lapels == "sailor":
+        if not front and shape.ends == "sailor":
             outline.line("centre", 0.0, low - _SAILOR_DOWN)
             outline.line("outer", _SAILOR_SQUARE * outer[0], low - _SAILOR_DOWN).line("outer", *outer)
         elif not front:
             outline.line("centre", 0.0, low - shape.width)
             across, down = (0.6 * outer[0], low - shape.width), (outer[0] - 1.0, outer[1] - 0.5 * shape.width)
             outline.cubic("outer", across, down, outer)
-        elif shape.lapels is None:
+        elif shape.ends is None:
             _draw_points(outline, neck, shape.width, outer)
-        elif shape.lapels == "rounded":
+        elif shape.ends == "rounded":
             across, down = (
                 (_ROUND_OUT * outer[0], outer[1] - 1.2 * shape.width),
                 (0.0, low - _ROUND_DOWN * shape.width),
             )
             outline.cubic("outer", down, across, outer)
-        elif shape.lapels == "sailor":
+        else:
             bend = (_SAILOR_OUT * outer[0], low + _SAILOR_UP * (outer[1] - low))
             outline.quadratic("outer", bend, outer)
-        else:
-            _draw_lapels(outline, neck, shape, outer)
         outline.line("shoulder", *neck[0].start)
         for side in neck:
             outline.follow(side)
@@ -94,39 +85,12 @@ def _draw_points(outline: Outline, neck: list[Side], width: float, outer: Point)
     outline.quadratic("outer", (outer[0], (low + high) / 2 - width), outer)
 
 
-def _draw_lapels(outline: Outline, neck: list[Side], shape: FoldCollar, outer: Point) -> None:
-    low, high = neck[-1].end[1], neck[0].start[1]
-    rise, wide = high - low, shape.lapel_width
-
-    def beside(height: float, distance: float) -> Point:
-        """The point so far outward of the neckline at a height over its end, cm."""
-        return _neck_x(neck, low + height) + distance, low + height
-
-    point = beside(_GORGE * rise, wide)
-    if shape.lapels == "shawl":
-        outline.cubic("outer", beside(0.2 * rise, 0.8 * wide), beside(0.4 * rise, 1.05 * wide), point)
-        outline.quadratic("outer", beside(0.78 * rise, shape.width + 0.4 * (wide - shape.width)), outer)
-        return
-    outline.quadratic("outer", beside(0.3 * rise, 0.85 * wide), point)
-    notch = beside(_GORGE * rise + 0.1 * wide, 0.48 * wide)
-    corner = beside(_GORGE * rise + 0.12 * wide + 0.35 * shape.width, 0.5 * wide + 0.4 * shape.width)
-    outline.line("outer", *notch).line("outer", *corner)
-    outline.quadratic("outer", beside(0.82 * rise, 0.95 * shape.width), outer)
-
-
-def _neck_x(neck: list[Side], y: float) -> float:
-    """Where the neckline is at a height, cm from the middle."""
-    points = np.concatenate([curves.evaluate(s.curve, s.chord, np.linspace(0.0, 1.0, 33)) for s in neck])
-    order = np.argsort(points[:, 1], kind="stable")
-    return float(np.interp(y, points[order, 1], points[order, 0]))
-
-
 def sew_fold_collar(table: CuttingTable) -> None:
     """Sews the halves together behind; in front they lie apart."""
     table.seam("left_collar_back.centre", "right_collar_back.centre")
 
 
-def _neck(piece: Piece, *, back: bool) -> list[Side]:
+def neckline_sides(piece: Piece, *, back: bool) -> list[Side]:
     """Copies of the edges of the neckline, from the shoulder to the middle."""
     sides = piece.find("neck")
     sides = [side.reversed() for side in reversed(sides)] if back else sides

@@ -32,7 +32,7 @@ CollarHeight = Annotated[float, Option("Height of a collar that stands.", "cm", 
 _CLOSE, _BEHIND = 1.0, 1.5
 """Widest and lowest behind, cm, that a neckline may be to carry a collar."""
 _FOLDED_DEPTH = 7.0, 16.0
-_STANDING_WIDENING, _STANDING_DEPTH = 0.5, 6.5
+_STANDING_WIDENING, _STANDING_DEPTH = 0.0, 6.0
 _FLAT_DEPTH = 8.0
 _SAILOR_DEPTH, _SAILOR_WIDTH = (14.0, 18.0), 10.5
 """Fall of the V of a sailor collar, at least and at most, and how wide that is on the shoulder, cm."""
@@ -66,7 +66,7 @@ class NeckCollar:
         if self.shape == "flat":
             return Neckline("round", min(asked.widening, _CLOSE), _FLAT_DEPTH, _BEHIND)
         if self.shape == "rolled":
-            return Neckline("round", 0.0, _STANDING_DEPTH, _BEHIND)
+            return Neckline("round", _STANDING_WIDENING, _STANDING_DEPTH, _BEHIND)
         if self.shape in ("standing", "shirt"):
             return Neckline("round", _STANDING_WIDENING, _STANDING_DEPTH, _BEHIND)
         return asked

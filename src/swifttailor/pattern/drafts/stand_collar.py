@@ -6,12 +6,23 @@ from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure
 from swifttailor.pattern.drafts.outline import Outline
 
-CLOSER_CM = 0.5
-"""So much shorter is the upper edge of each quarter than the lower one: it leans to the neck."""
+_LEAN, _NARROWEST = 0.35, 0.12
+"""So much shorter is the upper edge of each quarter than the lower one, over the height and at most over the
+length of the lower one: necks narrow so, and a collar that does not lean to them stands off."""
 CLOSE_FRONT_Z, CLOSE_BACK_Z = 18.0, -17.0
 """Where its halves stand before draping, cm."""
 ABOVE_NECK = 2.0
 """How far above the neck it begins before draping, cm."""
+
+
+def lean(height: float, long: float) -> float:
+    """How much shorter the upper edge of a quarter of a stand is than its lower one, cm.
+
+    Args:
+        height: Of the stand, cm.
+        long: Length of the shortest quarter of its lower edge, cm.
+    """
+    return min(_LEAN * height, _NARROWEST * long)
 
 
 def lay_stand_collar(table: CuttingTable, figure: Figure, height: float) -> None:
@@ -22,10 +33,11 @@ def lay_stand_collar(table: CuttingTable, figure: Figure, height: float) -> None
         figure: The body.
         height: cm.
     """
-    for face, torso in (("front", "left_ftorso"), ("back", "left_btorso")):
-        long = table.length(f"{torso}.neck")
+    quarters = [table.length(f"{torso}.neck") for torso in ("left_ftorso", "left_btorso")]
+    closer = lean(height, min(quarters))
+    for face, torso, long in zip(("front", "back"), ("left_ftorso", "left_btorso"), quarters, strict=True):
         outline = Outline(0.0, 0.0).line("neck", long, 0.0)
-        outline.line("end", long - CLOSER_CM, height).line("top", 0.0, height)
+        outline.line("end", long - closer, height).line("top", 0.0, height)
         outline.line("centre", 0.0, 0.0)
         table.lay(
             f"left_collar_{face}",

@@ -10,7 +10,7 @@ from swifttailor.pattern.drafts.band import lay_sleeve_cuff
 from swifttailor.pattern.drafts.bodice import LooseBodice, lay_loose_bodice, overlap_fronts, sew_centres
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure
-from swifttailor.pattern.drafts.fold_collar import FoldCollar, lay_fold_collar
+from swifttailor.pattern.drafts.lapel_collar import LapelCollar
 from swifttailor.pattern.drafts.measurements import Measurements
 from swifttailor.pattern.drafts.neck_collar import CollarHeight, NeckCollar, SewnCollarOption
 from swifttailor.pattern.drafts.neckline import Neckline
@@ -121,7 +121,7 @@ def _lay_left(
             lay_shaped_sleeve(table, figure, "plain", plain)
 
 
-def _finished(table: CuttingTable, collar: NeckCollar, opening: float = 0.0) -> Pattern:
+def _finished(table: CuttingTable, collar: NeckCollar | LapelCollar, opening: float = 0.0) -> Pattern:
     table.mirror()
     overlap_fronts(table, opening)
     sew_centres(table)
@@ -137,7 +137,7 @@ class BlazerOptions:
     chest_ease: declared.ChestEase = 9.0
     waist_shaping: declared.WaistShaping = 2.5
     flare: declared.HemFlare = 0.0
-    neck_widening: declared.CloseNeckWidening = 1.0
+    neck_widening: declared.CloseNeckWidening = 0.0
     neck_depth: declared.LapelDepth = 28.0
     lapels: Annotated[Literal["notched", "shawl"], Option("Shape of the collar in front.")] = "notched"
     collar_width: declared.LapelCollarWidth = 5.0
@@ -211,11 +211,8 @@ def _with_lapels(
         front_closed_to=options.closed_to,
     )
     lay_loose_bodice(table, figure, bodice)
-    if collar is None:
-        lay_fold_collar(table, FoldCollar(options.collar_width, options.lapels, options.lapel_width))
-        collar = NeckCollar("folded", options.collar_width, 0.0)
-    else:
-        collar.lay(table, figure)
+    sewn = collar or LapelCollar(options.collar_width, options.lapels, options.lapel_width)
+    sewn.lay(table, figure)
     sleeve = Sleeve(options.sleeve_length, options.arm_ease, options.sleeve_end, 0.02, extension)
     lay_shaped_sleeve(table, figure, "plain", sleeve, armhole, wing)
-    return _finished(table, collar, options.opening)
+    return _finished(table, sewn, options.opening)
