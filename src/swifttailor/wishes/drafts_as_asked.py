@@ -209,9 +209,10 @@ def _as_another(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
 
 _OF_BANDED = ("length", "chest_ease", "shoulder_extension", "sleeve_length", "arm_ease", "sleeve_end")
 _COLLARLESS = NamedDraft.parse(
-    "cardigan(length=16;chest_ease=11;neck_depth=16;opening=-5;sleeve_end=27;closed_to=8)"
+    "cardigan(length=16;chest_ease=11;neck_depth=16;opening=1;sleeve_end=27;closed_to=8)"
 )
 _FITTED = frozenset({Claim("fit", "close"), Claim("bodice", "darted")})
+_LONG_KNITTED = (("sleeve_length", 58.0), ("sleeve_end", 23.0))
 _MAY_STAND = ("drop-waist-dress", "jumpsuit", "shift-dress", "swing-dress", "fitted-dress")
 _ROLL_CM, _FUNNEL_CM = 9.0, 7.0
 
@@ -232,15 +233,20 @@ def _standing(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
 
 
 def _with_collar(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
-    """Tops and dresses with lapels are shirts and shirt dresses whose collar lies flat over a V."""
+    """Tops with a collar that is turned down are shirts, knitted ones without cuffs; of dresses it lies flat."""
     if Claim("collar", "lapel") not in claims:
         return draft
     options = dict(draft.options)
     sleeves = [] if Claim("sleeves", "none") not in claims else [("sleeves", False)]
+    kept = [(name, options[name]) for name in ("length", "chest_ease") if name in options]
     if draft.name in ("t-shirt", "tank-top"):
-        kept = [(name, options[name]) for name in ("length", "chest_ease") if name in options]
         short = any(claim.name == "sleeves" and claim.value in _SHORT for claim in claims)
-        return NamedDraft("polo-shirt" if short else "shirt", (*kept, _FLAT, *sleeves))
+        return NamedDraft("polo-shirt" if short else "shirt", (*kept, *sleeves))
+    if draft.name == _SWEATSHIRT and not sleeves and options.get(ARMHOLE) is None:
+        short = any(claim.name == "sleeves" and claim.value in _SHORT for claim in claims)
+        return NamedDraft("polo-shirt", (*kept, *(() if short else _LONG_KNITTED)))
+    if draft.name in _MAY_STAND and "collar" not in options:
+        return replace(draft, options=(*draft.options, _FLAT))
     if draft.name == "skater-dress":
         kept = [(name, options[name]) for name in ("skirt_length", "skirt_fraction") if name in options]
         return NamedDraft("shirt-dress", (*kept, _FLAT, *sleeves))

@@ -284,11 +284,14 @@ _SHAWL_CARDIGAN = NamedDraft(
     "blazer", (_SHAWL, ("chest_ease", 13.0), ("waist_shaping", 0.5), ("neck_depth", 28.0))
 )
 """A cardigan with a shawl collar is cut as a jacket of that collar is."""
-_MAY_BE_COLLARED = ("drop-waist-dress", "jumpsuit", "shift-dress", "swing-dress", "fitted-dress")
+_MAY_BE_COLLARED = (
+    *("drop-waist-dress", "jumpsuit", "shift-dress", "swing-dress", "fitted-dress"),
+    *("shirt", "polo-shirt", "shirt-dress"),
+)
 
 
 def _with_one_collar(named: list[NamedDraft]) -> list[NamedDraft]:
-    """Dresses with the collar that another draft of the text has: a trapeze dress with a Peter Pan collar."""
+    """Shirts and dresses with the collar that another draft of the text has: a trapeze dress with a Peter Pan collar."""
     if any(draft.name == "cardigan" for draft in named) and any(_SHAWL in draft.options for draft in named):
         named = [_SHAWL_CARDIGAN if draft.name == "cardigan" else draft for draft in named]
     collars = [option for draft in named for option in draft.options if option[0] == "collar"]

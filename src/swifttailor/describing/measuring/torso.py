@@ -14,7 +14,7 @@ from swifttailor.describing.measuring.parts import LOWER_PARTS, Part
 from swifttailor.describing.measuring.slices import half_widths, lies_across, whole_widths
 from swifttailor.describing.measuring.wear import Worn
 from swifttailor.describing.measuring.wings import find_wing, wing_underarm
-from swifttailor.pattern import EdgeRef, Panel
+from swifttailor.pattern import EdgeRef, Panel, Stitch
 
 _BELOW_UNDERARM_CM = (0.2, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0)
 _AROUND_WAIST_CM = (-1.0, 0.0, 1.0)
@@ -95,8 +95,15 @@ def measure_collar(anatomy: Anatomy) -> Collar | None:
     upper = sum(map(anatomy.edge_length, free))
     behind = [r for r in free if anatomy.parts[r.panel].face == "back"] or list(free)
     height = float(cloth.distances(sewn)[cloth.nodes(behind)].max())
-    closed = upper < _STAND_FLARE * seam.length
+    closed = upper < _STAND_FLARE * seam.length and not _parts_in_front(cloth.stitches)
     return Collar("lapel" if turned or not closed else "stand", height)
+
+
+def _parts_in_front(stitches: Sequence[Stitch]) -> bool:
+    """Whether what is turned down over a stand begins on both sides of the middle, as lapels do."""
+    joined = [{ref.panel for ref in stitch.sides} for stitch in stitches]
+    falls = {f"{side}_collar_fall_front" for side in _SIDES}
+    return any(falls & names for names in joined) and falls not in joined
 
 
 def measure_hood(anatomy: Anatomy) -> Hood | None:

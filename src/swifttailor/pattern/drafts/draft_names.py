@@ -282,7 +282,7 @@ BARE_SHOULDERED = frozenset(
     }
 )
 """Drafts that leave the shoulders bare; where bare shoulders are asked for, garments begin from no others."""
-COLLARED = frozenset({"shirt", "shirt-dress"})
+COLLARED = frozenset({"shirt", "shirt-dress", "polo-shirt"})
 """Begun from only where nothing else is said of the neck: many call any top a shirt."""
 _CROSSED = "Its bodice does not overlap in front: a seam runs where the edge of the upper front would lie."
 _BUTTONED = "Its front is sewn together where buttons would close it, and open below."

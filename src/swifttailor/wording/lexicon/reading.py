@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 
 from swifttailor.describing.claims import Claim
@@ -164,7 +164,7 @@ def _reading(text: str, language: Language, kind: str | None, dialect: Dialect |
             never += refused
         else:
             implied += [one for one in _implied(word, mark) if word.role != "like" or _has_place(one, kinds)]
-    implied = _exact_lengths(implied, language)
+    implied = _with_its_collar(_exact_lengths(implied, language))
     never = list(dict.fromkeys(never))
     kept = _settled([i for i in implied if i.claim not in never])
     if kind is None:
@@ -254,6 +254,17 @@ def _exact_lengths(implied: Sequence[Implication], language: Language) -> list[I
     )
     long = _LONG.get(language, "long")
     return [i for i in implied if not (exact and i.claim == _MAXI and i.mark.word.lower().startswith(long))]
+
+
+def _with_its_collar(implied: Sequence[Implication]) -> list[Implication]:
+    """A collar of which no more is said is the one that the garment has by its name: of a bomber, a stand."""
+    named = [i.claim for i in implied if not i.said and i.claim.name == "collar" and i.claim.value != "none"]
+    return [replace(i, claim=named[0]) if named and _is_a_mere_collar(i) else i for i in implied]
+
+
+def _is_a_mere_collar(implied: Implication) -> bool:
+    parts = [entry for entry in implied.mark.entries if entry.part == "collar" and entry.category == "parts"]
+    return implied.said and implied.certainty == "usual" and implied.claim.name == "collar" and bool(parts)
 
 
 def _settled(implied: Sequence[Implication]) -> list[Implication]:

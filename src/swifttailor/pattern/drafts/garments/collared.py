@@ -142,7 +142,7 @@ class BlazerOptions:
     lapels: Annotated[Literal["notched", "shawl"], Option("Shape of the collar in front.")] = "notched"
     collar_width: declared.LapelCollarWidth = 5.0
     lapel_width: declared.LapelWidth = 7.5
-    opening: declared.OverlapOrOpening = -5.0
+    opening: declared.OverlapOrOpening = 1.0
     closed_to: declared.ClosedTo = 0.0
     armhole_drop: declared.ArmholeDrop = 3.0
     sleeve_length: declared.SleeveLength = 59.0
@@ -164,8 +164,7 @@ class CoatOptions(BlazerOptions):
     waist_shaping: declared.WaistShaping = 0.0
     flare: declared.DressFlare = 10.0
     neck_depth: declared.LapelDepth = 24.0
-    opening: declared.OverlapOrOpening = -16.0
-    closed_to: declared.ClosedTo = 4.0
+    closed_to: declared.ClosedTo = 20.0
     collar_width: declared.LapelCollarWidth = 6.0
     lapel_width: declared.LapelWidth = 8.5
     armhole_drop: declared.ArmholeDrop = 3.5

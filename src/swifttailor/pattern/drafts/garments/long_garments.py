@@ -90,8 +90,8 @@ class HoodedCoatOptions:
     neck_depth: declared.HighNeckDepth = 10.0
     hood_height: declared.HoodHeight = 6.0
     hood_depth: declared.HoodDepth = 5.0
-    opening: declared.OverlapOrOpening = -14.0
-    closed_to: declared.ClosedTo = 2.0
+    opening: declared.OverlapOrOpening = 1.0
+    closed_to: declared.ClosedTo = 18.0
     armhole_drop: declared.ArmholeDrop = 4.5
     shoulder_extension: declared.ShoulderExtension = 2.0
     sleeves: declared.Sleeves = True

@@ -200,7 +200,7 @@ class CardiganOptions:
     neck_depth: Annotated[
         float, Option("Fall of the front neckline below the neck-shoulder point.", "cm", 12.0, 34.0)
     ] = 26.0
-    opening: declared.OverlapOrOpening = -5.0
+    opening: declared.OverlapOrOpening = 1.0
     closed_to: declared.ClosedTo = 8.0
     armhole_drop: declared.ArmholeDrop = 2.5
     shoulder_extension: declared.ShoulderExtension = 0.0
