@@ -51,6 +51,8 @@ _WIDE = {"arm_ease": 18.0, "sleeve_end": 46.0}
 """Of sleeves that are to be wide."""
 _ENDS: Mapping[float, float] = {16.0: 33.0, 22.0: 33.0, 32.0: 31.0, 44.0: 28.0, 60.0: 24.0, 64.0: 24.0}
 """Width around at the end of plain sleeves of those lengths, cm."""
+_SHIRT_END = 34.0
+"""The same of the short sleeves of shirts, which have no cuffs."""
 _WIDE_END = 34.0
 """The same of sleeves that are cut in one with a coat."""
 _FULL_ARM, _FULL_END = 16.0, 46.0
@@ -90,8 +92,11 @@ def sleeves_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
 
 
 def _with_plain_sleeves(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
-    """A draft that has sleeves where an option says so, with plain ones where their length is told."""
+    """A draft that has sleeves where an option says so, and shirts, with plain ones of the length that is told."""
     told, options = _told_lengths(claims), dict(draft.options)
+    if draft.name == "shirt" and told and told[0] <= _LENGTHS["elbow"]:
+        short = {"sleeve_length": told[0], "sleeve_end": _SHIRT_END, "cuffs": False}
+        return replace(draft, options=tuple({**options, **short}.items()))
     if not told or draft.name not in _SET_IN or options.get("sleeves"):
         return draft
     options |= {"sleeves": True, "sleeve_length": told[0], "sleeve_end": _ENDS[told[0]]}

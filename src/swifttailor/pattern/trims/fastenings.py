@@ -164,8 +164,10 @@ def double_breasted(chalk: Chalk, name: str) -> list[Trim]:
     right, left, low, high = seam
     at, top = _DOUBLE_AT * chalk.size, high - 2
     edge_top = chalk.height_within(chalk.views[left.panel], at + 2.5, top, low + 0.5)
-    heights = np.linspace(low + 0.5, edge_top, 8)
-    edge = [(edge_at(chalk.pattern, left, y) + at + 2.5, y) for y in heights]
+    column = chalk.views[left.panel].column(at + 2.5)
+    hem = low + 0.5 if column is None else min(low, column[0]) + 0.5
+    heights = np.linspace(hem, edge_top, 12)
+    edge = [(edge_at(chalk.pattern, left, max(y, low)) + at + 2.5, y) for y in heights]
     pieces = chalk.line(name, left.panel, edge)
     pairs = []
     spacing, radius = _COAT_SPACING * chalk.size, _COAT_BUTTON * chalk.size

@@ -26,7 +26,7 @@ from swifttailor.pattern.drafts.shaped_sleeve import (
 from swifttailor.pattern.drafts.sleeve import Sleeve
 from swifttailor.pattern.pattern import Pattern
 
-_HEM_OPENING_CM = 3.0
+_HEM_OPENING_CM = 1.5
 """How far the front edges of a shirt have moved back from the middle at the hem, below the last button."""
 _INSET_CM = 1.5
 """How far the armholes of a sleeveless shirt lie inside the shoulder tips."""
@@ -164,7 +164,7 @@ class CoatOptions(BlazerOptions):
     waist_shaping: declared.WaistShaping = 0.0
     flare: declared.DressFlare = 10.0
     neck_depth: declared.LapelDepth = 24.0
-    closed_to: declared.ClosedTo = 20.0
+    closed_to: declared.ClosedTo = 30.0
     collar_width: declared.LapelCollarWidth = 6.0
     lapel_width: declared.LapelWidth = 8.5
     armhole_drop: declared.ArmholeDrop = 3.5

@@ -91,7 +91,7 @@ class HoodedCoatOptions:
     hood_height: declared.HoodHeight = 6.0
     hood_depth: declared.HoodDepth = 5.0
     opening: declared.OverlapOrOpening = 1.0
-    closed_to: declared.ClosedTo = 18.0
+    closed_to: declared.ClosedTo = 26.0
     armhole_drop: declared.ArmholeDrop = 4.5
     shoulder_extension: declared.ShoulderExtension = 2.0
     sleeves: declared.Sleeves = True

@@ -196,7 +196,7 @@ class CardiganOptions:
     length: Annotated[float, Option("Hem below the waist; negative ends above it.", "cm", -6.0, 40.0)] = 24.0
     chest_ease: declared.ChestEase = 12.0
     flare: declared.HemFlare = 0.0
-    neck_widening: declared.CloseNeckWidening = 1.0
+    neck_widening: declared.CloseNeckWidening = 0.3
     neck_depth: Annotated[
         float, Option("Fall of the front neckline below the neck-shoulder point.", "cm", 12.0, 34.0)
     ] = 26.0
@@ -217,7 +217,7 @@ def draft_cardigan(options: CardiganOptions, measurements: Measurements) -> Patt
     figure = Figure.of(measurements)
     table = CuttingTable("cardigan")
     bodice = LooseBodice(
-        Neckline("v", options.neck_widening, options.neck_depth, 2.0),
+        Neckline("v", options.neck_widening, options.neck_depth, 1.5),
         options.chest_ease,
         options.length,
         options.armhole_drop,
