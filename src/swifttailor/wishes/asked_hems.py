@@ -1,17 +1,29 @@
-"""Named drafts with the hem that a text asks for: curved like a shirt's, or straight."""
+"""Named drafts with the hem that a text asks for: curved, longer behind, in arcs, or straight."""
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
 from dataclasses import replace
 
 from swifttailor.describing.claims import Claim
-from swifttailor.pattern.drafts.draft_names import CURVED_HEM, HEM_RISE, NamedDraft
+from swifttailor.pattern.drafts.draft_names import CURVED_HEM, HEM_DIP, HEM_RISE, SCALLOPS, NamedDraft
 
 RISE_CM = 6.0
 """How much higher a curved hem is at the side seams than in the middle."""
 _MAY_CURVE = ("shirt", "t-shirt", "tank-top", "shift-dress")
 _LEVEL = Claim("hem_shape", "level")
+_LONGER_BEHIND, _SCALLOPED = Claim("hem_shape", "high-low"), Claim("hem_shape", "scalloped")
+_ROUND: Mapping[str, str] = {"circle-skirt": "length", "skater-dress": "skirt_length"}
+"""Drafts whose hem may dip or be cut in arcs, and their option of its length in front."""
+_DIP_CM, _LOWEST_CM, _ARCS_CM = 34.0, 102.0, 10.0
+_IN_FRONT: Mapping[str, float] = {"micro": 38.0, "mini": 42.0, "above the knee": 50.0, "knee": 57.0}
+"""Where hems that are longer behind end in front, below the waist, by what is asked for."""
+_USUAL_CM, _FULL = 50.0, 0.5
+_FRACTIONS: Mapping[str, tuple[str, float]] = {
+    "circle-skirt": ("fraction", 0.75),
+    "skater-dress": ("skirt_fraction", 0.75),
+}
+"""Option of the part of a circle, and its value where none is given; a narrower skirt hides its dip."""
 _WAISTED = frozenset({"waist_seam", "skirt", "bodice"})
 _SHIRT_DRESS = "shirt-dress"
 _STRAIGHT_DRESS = {
@@ -38,6 +50,8 @@ def hem_as_asked(
         denied: Keys of ``cannot.txt`` that it refuses.
     """
     options = dict(draft.options)
+    if draft.name in _ROUND and (_LONGER_BEHIND in claims or _SCALLOPED in claims):
+        return _shaped(draft, claims)
     if CURVED_HEM in lacks:
         if draft.name == _SHIRT_DRESS and not any(claim.name in _WAISTED for claim in claims):
             own = {name: options[name] for name in ("collar", "collar_height") if name in options}
@@ -48,6 +62,21 @@ def hem_as_asked(
     if HEM_RISE in options and (_LEVEL in claims or CURVED_HEM in denied):
         return _with(draft, options, 0.0)
     return draft
+
+
+def _shaped(draft: NamedDraft, claims: Collection[Claim]) -> NamedDraft:
+    """A round skirt, or a dress with one, whose hem is cut in arcs or lower behind than in front."""
+    options = dict(draft.options)
+    if options.get("gathers"):
+        return draft
+    if _LONGER_BEHIND not in claims:
+        return replace(draft, options=tuple({**options, SCALLOPS: _ARCS_CM}.items()))
+    ends = [str(claim.value) for claim in claims if claim.name == "skirt_hem"]
+    front = next((_IN_FRONT[end] for end in ends if end in _IN_FRONT), _USUAL_CM)
+    fraction, usual = _FRACTIONS[draft.name]
+    full = max(_FULL, float(options.get(fraction, usual)))
+    dipped = {_ROUND[draft.name]: front, fraction: full, HEM_DIP: min(_DIP_CM, _LOWEST_CM - front)}
+    return replace(draft, options=tuple({**options, **dipped}.items()))
 
 
 def _with(draft: NamedDraft, options: dict[str, float | bool | str], rise: float) -> NamedDraft:

@@ -12,10 +12,12 @@ from swifttailor.pattern.drafts.draft_names import ARMHOLES, DRAFT_KINDS, NamedD
 from swifttailor.wishes.armholes_as_asked import armholes_as_asked
 from swifttailor.wishes.asked_hems import hem_as_asked
 from swifttailor.wishes.button_counts import closed_as_counted
+from swifttailor.wishes.clinging_drafts import STRETCH, clinging_as_asked
 from swifttailor.wishes.drafts_as_asked import draft_as_asked
 from swifttailor.wishes.drafts_of_names import covers, draft_of_kind, draft_of_name
 from swifttailor.wishes.heard_looks import NO_LOOKS, HeardLooks, heard_looks
 from swifttailor.wishes.heard_print import asks_for_plain, heard_print
+from swifttailor.wishes.legs_by_words import ELASTIC, legs_as_said
 from swifttailor.wishes.lexicon_spelling import near_names
 from swifttailor.wishes.reader import Wish
 from swifttailor.wishes.refused_looks import as_not_refused
@@ -142,9 +144,12 @@ class Heard:
             if self._says_details and not any(self.kind in entry.kinds for entry in self._meant):
                 fitting = [draft_of_kind(self.kind, sure)]
         fitting = [armholes_as_asked(draft, self.lacks) for draft in fitting if draft is not None]
+        if self._clings:
+            fitting = [clinging_as_asked(draft, sure) for draft in fitting]
         wanted = {lack.what for lack in self.lacks if lack.said}
         if asks_for_sailor_collar(entries):
             fitting = [with_sailor_collar(draft) for draft in fitting]
+        fitting = [legs_as_said(draft, self.text, self._elastic, self.never) for draft in fitting]
         closed = [closed_as_counted(draft, self.text) for draft in fitting]
         hemmed = [hem_as_asked(draft, sure, wanted, self._denied) for draft in closed]
         found = dict.fromkeys(hemmed)
@@ -201,6 +206,22 @@ class Heard:
         known = [e.color for e in self._meant if e.color is not None]
         alike = [one for one in known for other in denied if _alike(one, other)]
         return frozenset([*denied, *alike])
+
+    @property
+    def _clings(self) -> bool:
+        """Whether it is to be close, and of cloth that stretches: a skin-tight one, a close one of jersey."""
+        changes = [w.change for w in (*self.sure, *self.likely) if isinstance(w.change, Gain)]
+        close = any(change.claim in _CLOSE for change in changes)
+        stretches = any(STRETCH in entry.cannot for entry in self._meant)
+        ribbed = self.ribs is not None and self.cloth != _CORDUROY
+        return close and (stretches or ribbed or self.cloth in _KNITTED)
+
+    @property
+    def _elastic(self) -> frozenset[str]:
+        """That there is elastic, where words about details say so and mean the waist: not those of ankles."""
+        ankles = any(claim.name == "leg_cuffs" for e in self._meant for claim in e.claims("certain"))
+        styles = [e for e in self._meant if e.category == "styles" and e.drafts and not ankles]
+        return frozenset([key for e in styles for key in e.cannot if key == ELASTIC])
 
     @property
     def _denied(self) -> frozenset[str]:
@@ -275,6 +296,9 @@ class Heard:
 
 _FLARED, _STRAIGHT = Claim("skirt", "flared"), Claim("skirt", "straight")
 _WHATEVER = NamedDraft("t-shirt", (("neck_widening", 0.7), ("chest_ease", 8.0), ("waist_shaping", 1.0)))
+_CLOSE = frozenset({Claim("fit", "close"), Claim("hips", "close")})
+_KNITTED, _CORDUROY = ("jersey", "rib-knit"), "twill"
+"""Fabrics that stretch, and what corduroy is made as, which has ribs and does not."""
 HEARD_NOTHING = Heard("")
 """Where there is no text."""
 

@@ -16,6 +16,8 @@ _LEGS: Mapping[str, Mapping[str, float]] = {
     "tapered": {"hip_ease": 9.0, "leg_ease": 12.0, "flare": -7.0},
     "slim": {"leg_ease": 6.0, "flare": -4.0},
 }
+_SHORT_CM: Mapping[str, float] = {"very short": 38.0, "thigh": 43.0, "mid-thigh": 47.0}
+"""Length of the legs of playsuits that are asked to be so short, from the waist, cm."""
 _JOGGERS = "joggers"
 _OF_JOGGERS = ("wide", "straight", "slim")
 """Legs that joggers have as well; they are tapered as they are, and nothing flares into a cuff."""
@@ -23,6 +25,8 @@ _GATHERED, _BANDED = Claim("leg_cuffs", "gathered"), Claim("leg_cuffs", "band")
 _FULL = frozenset({Claim("legs", "tapered"), Claim("legs", "wide"), Claim("hips", "loose")})
 """Legs of which there is something to gather into a band; turn-ups are called cuffs as well."""
 _NOT_CUFFED = frozenset({Claim("leg_cuffs", "none"), Claim("leg_cuffs", "flounce"), Claim("legs", "flared")})
+_GATHERS_FROM_CM = 24.0
+"""Legs with so much room at the knee do not narrow above their cuffs: they are gathered there."""
 _SHORTEST_JOGGERS, _LONGEST_JOGGERS = 44.0, 98.0
 _SLIM, _CLOSEST = Claim("legs", "slim"), 100.0
 _BELOW_WAIST: Mapping[Claim, float] = {Claim("rise", "mid"): 5.0, Claim("rise", "low"): 14.0}
@@ -52,6 +56,8 @@ def _with_leg_cuffs(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     if draft.name not in ("trousers", "pull-on-trousers") or not cuffed or length < _SHORTEST_JOGGERS:
         return draft
     kept = {name: options[name] for name in ("hip_ease", "leg_ease") if name in options}
+    if float(options.get("leg_ease", 0.0)) >= _GATHERS_FROM_CM:
+        kept["flare"] = 0.0
     return NamedDraft(_JOGGERS, tuple({"length": min(length, _LONGEST_JOGGERS), **kept}.items()))
 
 
@@ -66,6 +72,9 @@ def _with_legs(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
             asked = _LEGS[str(claim.value)] if claim.name == "legs" and claim.value in known else {}
             closer = float(options.get("leg_ease", _CLOSEST)) < _LEGS["slim"]["leg_ease"]
             options |= {} if claim == _SLIM and closer else asked
+    if DRAFT_KINDS[draft.name] == "jumpsuit":
+        ends = [_SHORT_CM[str(c.value)] for c in claims if c.name == "leg_hem" and str(c.value) in _SHORT_CM]
+        options |= {"length": ends[0], "flare": max(float(options.get("flare", 0.0)), 0.0)} if ends else {}
     if draft.name == "trousers" and _WIDE in claims and float(options.get("leg_ease", _CLOSEST)) < _WIDE_CM:
         options |= _LEGS["wide"]
     if DRAFT_KINDS[draft.name] == "trousers":

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
+from itertools import pairwise
 
 from swifttailor.pattern.drafts.cutting_table import CuttingTable, Piece
 from swifttailor.pattern.drafts.figure import Figure, Halves
@@ -42,6 +43,12 @@ _PER_SHAPING = 2.0
 """Width around at the hem for each centimetre by which the sides are bent in."""
 _FURTHEST_BEHIND_CM, _HALVINGS = 3.0, 24
 """So far back may the side seam run; and steps until front and back side are equally long."""
+_LEAST_CURVE = 6.0
+"""Between bends of a side seam that follows the body, cm."""
+_FOLLOWING_EASE = 1.0
+"""Room of such a torso at waist and hips, over the body as its cloth is cut for it, cm around."""
+_TO_THE_KNEE = 0.07
+"""By which part of the hips' girth it is narrower at the knees, between which cloth lies together."""
 SHORTEST_SLIT, _OPEN_SHARE = 1.0, 0.8
 """What would be open for less is closed, cm; the share of the centre that may be open."""
 
@@ -78,6 +85,9 @@ class LooseBodice:
     """Length of the lower end of straight side seams that is left open, cm."""
     side_rise: float = 0.0
     """How far the hem rises to the side seams in curves, as a shirt's, cm; with no points in front."""
+    follows: bool = False
+    """Whether the side seams follow waist and hips, as cloth that stretches can; `waist_shaping` is then how
+    far they may bend inward."""
 
 
 def armhole(outline: Outline, tip: Point, slope: float, scoop: float) -> None:
@@ -126,9 +136,12 @@ def lay_loose_bodice(table: CuttingTable, figure: Figure, shape: LooseBodice) ->
     if shaping and shape.length < SHORT_CM:  # what ends at the waist narrows down to it
         widening = min(max((body.girth - chest.girth) / 4, -shaping), widening)
         shaping = 0.0
-    elif shaping:  # above the hem bent sides are narrower than straight ones, and the seat holds them up
+    elif shaping and not shape.follows:  # bent sides are narrower above the hem, and the seat holds them up
         least = body.girth + _PER_SHAPING * shaping - chest.girth
         widening = max(widening, least / 4)
+    if shape.follows:
+        shaping = 0.0
+        widening = _half_at(figure, shape, hem_y) - chest.girth / 4
     widening += shape.flare / 4
     rise = _hem_rise(max(widening, 0.0), under_y - hem_y, chest.girth / 4 + widening)
     tip_x = shoulder_tip_x(figure, shape.neckline, shape.shoulder_extension, chest)
@@ -136,7 +149,9 @@ def lay_loose_bodice(table: CuttingTable, figure: Figure, shape: LooseBodice) ->
     slit = shape.front_slit
     if shape.front_closed_to is not None:
         slit = max(shape.length - shape.front_closed_to, 0.0) if shape.front_opening else 0.0
-    behind = _behind(chest, body, widening, under_y - hem_y) if shape.length > 0 else 0.0
+    behind = 0.0
+    if shape.length > 0 and not shape.follows:
+        behind = _behind(chest, body, widening, under_y - hem_y)
     length = None
     for side, half in (("f", chest.front), ("b", chest.back)):
         front = side == "f"
@@ -146,7 +161,9 @@ def lay_loose_bodice(table: CuttingTable, figure: Figure, shape: LooseBodice) ->
         curved = shape.side_rise > 0.0
         hem_end = min(hem_y + rise + shape.side_rise, under_y - SIDE_MINIMUM) if curved else hem_y + rise
         corner, underarm = (hem_x, hem_end), (half, under_y)
-        if length is None:
+        if shape.follows:
+            length = None
+        elif length is None:
             length = _side_length(corner, underarm, shaping)
         else:
             corner = _as_long(length, corner, underarm, shaping)
@@ -161,7 +178,10 @@ def lay_loose_bodice(table: CuttingTable, figure: Figure, shape: LooseBodice) ->
             outline.quadratic("hem", (hem_x * 0.6, hem_y - drop), corner)
         else:
             outline.line("hem", *corner)
-        _draw_side(outline, underarm, shaping, shape.side_slits)
+        if shape.follows:
+            _draw_side_along(outline, figure, shape, underarm, chest.girth / 4)
+        else:
+            _draw_side(outline, underarm, shaping, shape.side_slits)
         scoop = 0.72 if front else 0.5
         shoulder = (neck_x, tip_x)
         lay_torso_half(
@@ -231,6 +251,41 @@ def _draw_side(outline: Outline, underarm: Point, shaping: float, slit: float) -
     outline.cubic(
         "side", (x - reach, y + 0.4 * fall), (underarm[0] - reach, underarm[1] - 0.4 * fall), underarm
     )
+
+
+def follows_body(stretch: float, waist_shaping: float, armhole: str = "set-in") -> bool:
+    """Whether a torso with these options follows the body: one whose cloth stretches and that has a waist."""
+    return stretch > 0.0 and waist_shaping > 0.0 and armhole != "cut-in-one"
+
+
+def _half_at(figure: Figure, shape: LooseBodice, y: float) -> float:
+    """A quarter of the girth at height `y` of a torso that follows the body, cm."""
+    above = min(max((y - figure.waist_y) / (figure.bust_y - figure.waist_y), 0.0), 1.0)
+    chest = figure.bust.eased(shape.chest_ease).girth / 4
+    body = figure.girth_below_waist(figure.waist_y - y).girth
+    body += above * (figure.bust.girth - figure.waist.girth)
+    below = min(max((figure.hip_y - y) / (figure.hip_y - figure.knee_y), 0.0), 1.0)
+    body *= 1.0 - _TO_THE_KNEE * below
+    return max((body + _FOLLOWING_EASE) / 4, chest - shape.waist_shaping)
+
+
+def _draw_side_along(
+    outline: Outline, figure: Figure, shape: LooseBodice, underarm: Point, chest: float
+) -> None:
+    """Draws the side seam up to the underarm over hips and waist, where the hem lies below them."""
+    x, y = outline.sides[-1].end
+    shift = underarm[0] - chest  # a seam that is as long in front as behind leans alike
+    points = [(x, y)]
+    for level in (figure.hip_y, figure.waist_y):
+        if y < level - _LEAST_CURVE and level < underarm[1] - _LEAST_CURVE:
+            points.append((_half_at(figure, shape, level) + shift, level))
+    for below, above in pairwise([*points, underarm]):
+        fall = above[1] - below[1]
+        if len(points) == 1:
+            outline.line("side", *above)
+        else:
+            bend = 0.35 * fall
+            outline.cubic("side", (below[0], below[1] + bend), (above[0], above[1] - bend), above)
 
 
 def lay_torso_half(

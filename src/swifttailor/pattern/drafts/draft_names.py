@@ -132,6 +132,8 @@ class NamedDraft:
         flare = dict(self.options).get("flare", 0.0)
         straight = _OF_FLARE if float(flare) >= A_LINE_CM else _OF_NO_FLARE
         falls = straight if self.name == "shift-dress" else ()
+        clings = bool(dict(self.options).get("stretch")) and bool(dict(self.options).get("waist_shaping"))
+        falls = _OF_CLINGING if clings and self.name == "shift-dress" else falls
         if self.name == "apron":  # whose band behind counts as hem
             length = float(dict(self.options).get("length", 0.0))
             falls = tuple(
@@ -141,7 +143,11 @@ class NamedDraft:
         broad = (("straps", "wide"),) if bib and STRAP_WIDTH in dict(self.options) else ()
         high = (("slit_size", "high"),) if float(dict(self.options).get(SIDE_SLITS, 0.0)) >= HIGH_CM else ()
         wings = _OF_WINGS if dict(self.options).get(ARMHOLE) == "cut-in-one" else ()
-        shown = (_OF_STANDS if stands else (), slits, falls, bib, broad, high, wings)
+        options = dict(self.options)
+        hem = (*(_OF_DIPS if options.get(HEM_DIP) else ()), *(_OF_ARCS if options.get(SCALLOPS) else ()))
+        blousing = self.name == "joggers" and float(options.get("leg_ease", 0.0)) >= BLOUSING_CM
+        legs = (*(_OF_BLOUSING if blousing else ()), *(_OF_BOWS if options.get("bow") else ()))
+        shown = (_OF_STANDS if stands else (), slits, falls, bib, broad, high, wings, hem, legs)
         return (*DRAFTS_ARE.get(self.name, ()), *[claim for claims in shown for claim in claims])
 
     @property
@@ -170,6 +176,8 @@ STRAP_WIDTH = "strap_width"
 """The option of the straps of bibs."""
 HEM_RISE, CURVED_HEM = "hem_rise", "curved_hem"
 """The option of hems that are curved like a shirt's, and what they are in the lexicon's ``cannot.txt``."""
+HEM_DIP, SCALLOPS = "hem_dip", "scallop_width"
+"""The options of hems that are lower behind than in front, and of those that are cut in arcs."""
 SIDE_SLITS = "side_slits"
 """The option of slits in garments that have no skirt of their own to be measured."""
 ARMHOLE, DROPPED_BY = "armhole", "shoulder_extension"
@@ -187,6 +195,19 @@ A_LINE_CM = 12.0
 """Shift dresses with hems so much wider than straight ones are A-line."""
 _OF_STANDS = (("neck_depth", "high"),)
 _OF_FLARE, _OF_NO_FLARE = (("skirt", "a-line"),), (("skirt", "straight"),)
+_OF_DIPS = (
+    ("hem_shape", "high-low"),
+    *[("skirt_hem", end) for end in ("micro", "mini", "above the knee", "knee", "below the knee", "midi")],
+)
+"""A hem that is lower behind ends in two places."""
+BLOUSING_CM = 30.0
+"""With so much room at the knee, legs that end in cuffs hang over them."""
+_OF_BLOUSING = (("legs", "tapered"), ("legs", "wide"), ("hips", "loose"))
+_OF_BOWS = (("legs", "slim"), ("legs", "tapered"), ("hips", "close"))
+"""Jodhpurs are close below the knee and full above it."""
+_OF_ARCS = (("hem_shape", "scalloped"),)
+_OF_CLINGING = (("skirt", "pencil"), ("skirt", "straight"), ("hips", "close"), ("bodice", "darted"))
+"""Cloth that stretches over the body follows it without darts."""
 _OF_SLITS = (("slit", "left"), ("slit", "right"))
 _OF_BIBS = (("fit", "loose"), ("fit", "easy"), ("fit", "oversized"))
 """Nothing goes around the chest of what has a bib."""

@@ -9,6 +9,7 @@ from swifttailor.pattern.drafts.figure import Halves
 from swifttailor.pattern.drafts.fitted_skirt import SKIRT_BACK_Z, SKIRT_FRONT_Z
 from swifttailor.pattern.drafts.joins import sew_sides
 from swifttailor.pattern.drafts.outline import Outline, annular_sector
+from swifttailor.pattern.drafts.shaped_hem import LEVEL, HemShape, shaped_sector
 
 SHORTEST_FLOUNCE = 8.0
 """Cm; shorter skirts have less of their close part."""
@@ -17,7 +18,12 @@ LARGEST_TURN = 0.93
 
 
 def lay_flared_skirt(
-    table: CuttingTable, waist: Halves, length: float, top_y: float, fraction: float
+    table: CuttingTable,
+    waist: Halves,
+    length: float,
+    top_y: float,
+    fraction: float,
+    hem: HemShape = LEVEL,
 ) -> None:
     """Lays ``skirt_front`` and ``skirt_back`` cut from one circle and sews their sides.
 
@@ -29,14 +35,15 @@ def lay_flared_skirt(
         length: Upper edge to hem, cm.
         top_y: World height of the middle of the upper edge, cm.
         fraction: Part of a full circle that both panels make together; 1 is a full circle skirt.
+        hem: Its shape.
     """
     radius = waist.girth / (2 * math.pi * fraction)
     for name, half in (("skirt_front", waist.front), ("skirt_back", waist.back)):
         upper = 2 * half
         turn = min(upper / radius / (2 * math.pi), LARGEST_TURN)
         lower = upper + 2 * math.pi * turn * length
-        outline = annular_sector("waist", upper, lower, length, top_y)
-        _lay(table, name, outline, name == "skirt_front")
+        front = name == "skirt_front"
+        _lay(table, name, shaped_sector(upper, lower, length, top_y, hem, front=front), front)
     sew_sides(table, "skirt")
 
 

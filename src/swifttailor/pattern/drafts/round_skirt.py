@@ -8,6 +8,7 @@ from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure, Halves
 from swifttailor.pattern.drafts.flared_skirt import lay_flared_skirt, lay_gathered_skirt
 from swifttailor.pattern.drafts.joins import SKIRT_WHOLE, sew_skirt_to_bodice
+from swifttailor.pattern.drafts.shaped_hem import LEVEL, HemShape
 
 LEAST_GATHERS = 1.1
 """Less fullness is none: the skirt is cut from a circle."""
@@ -25,6 +26,8 @@ class RoundSkirt:
     """Part of a full circle that it is cut from, where it is not gathered."""
     gathers: float
     """Width over that of the seam it is gathered into; 1 for a skirt without gathers."""
+    hem: HemShape = LEVEL
+    """Of a skirt that is not gathered."""
 
 
 def lay_round_skirt(table: CuttingTable, figure: Figure, skirt: RoundSkirt, waist: Halves) -> None:
@@ -34,5 +37,5 @@ def lay_round_skirt(table: CuttingTable, figure: Figure, skirt: RoundSkirt, wais
     if gathered:
         lay_gathered_skirt(table, waist, skirt.length, top_y, skirt.gathers)
     else:
-        lay_flared_skirt(table, waist, skirt.length, top_y, skirt.fraction)
+        lay_flared_skirt(table, waist, skirt.length, top_y, skirt.fraction, skirt.hem)
     sew_skirt_to_bodice(table, SKIRT_WHOLE, gathered=gathered)

@@ -56,6 +56,8 @@ class Trousers:
     """Whether darts take what the waist is narrower; else the side seams and the centre back do."""
     side_share: float = 0.18
     """Part of what the leg loses from thigh to knee that each side seam takes; the inseams take the rest."""
+    bow: float = 0.0
+    """How far each side seam bows outward between hip and knee, as that of jodhpurs, cm."""
 
 
 def legs_of_bodice(
@@ -99,6 +101,8 @@ class LegLines:
     """How far front and back reach under the crotch."""
     step: float
     """By how much the back of the hem is wider than half of the leg, and the front narrower."""
+    bow: float
+    """How far the side seam bows outward above the knee."""
 
 
 def lay_trousers(table: CuttingTable, figure: Figure, shape: Trousers, waist: Halves, top_y: float) -> None:
@@ -184,6 +188,7 @@ def _leg_lines(figure: Figure, shape: Trousers, hips: Halves, taken: Suppression
         side_shift=shape.side_share * (thigh - (hem if knee_y is None else knee)),
         reach=_reach(figure, shape.reach),
         step=step,
+        bow=shape.bow if knee_y is not None else 0.0,
     )
 
 
@@ -253,10 +258,12 @@ def _leg_and_side(lines: LegLines, hip: float, step: float) -> Outline:
     fall = lines.hip_y - below
     lean = (knee_x - hem_x) / max(below - lines.hem_y, 1.0) if lines.knee_y is not None else 0.0
     start = outline.sides[-1].end
+    # Two controls moved alike move the middle of the curve by three quarters as much.
+    out = lines.bow / 0.75
     outline.cubic(
         "side",
-        (start[0] + lean * 0.3 * fall, below + 0.3 * fall),
-        (hip, lines.hip_y - 0.35 * fall),
+        (start[0] + lean * 0.3 * fall + 0.5 * out, below + 0.3 * fall),
+        (hip + 1.5 * out, lines.hip_y - 0.35 * fall),
         (hip, lines.hip_y),
     )
     top = lines.top_y + _rise(lines)

@@ -86,12 +86,13 @@ class HalterJumpsuitOptions:
     length: declared.TrouserLength = 100.0
     leg_ease: declared.LegEase = 12.0
     flare: declared.LegFlare = 4.0
+    stretch: declared.ClothStretch = 0.0
 
 
 def draft_halter_jumpsuit(options: HalterJumpsuitOptions, measurements: Measurements) -> Pattern:
     """Drafts the halter jumpsuit for a body."""
-    figure = Figure.of(measurements)
-    table = CuttingTable("halter-jumpsuit")
+    figure = Figure.of(measurements).for_cloth(options.stretch / 100)
+    table = CuttingTable("halter-jumpsuit", options.stretch / 100)
     neckline = Neckline(options.neckline, 0.5, options.neck_depth)
     halter = HalterBodice(options.chest_ease, 0.0, options.strap_width, neckline, 0.0, options.waist_ease)
     waist = lay_halter_bodice(table, figure, halter)

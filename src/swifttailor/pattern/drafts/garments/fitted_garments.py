@@ -23,6 +23,7 @@ from swifttailor.pattern.drafts.neck_collar import CollarHeight, CollarOption, N
 from swifttailor.pattern.drafts.neckline import Neckline
 from swifttailor.pattern.drafts.options import Option
 from swifttailor.pattern.drafts.round_skirt import RoundSkirt, lay_round_skirt
+from swifttailor.pattern.drafts.shaped_hem import HemShape
 from swifttailor.pattern.drafts.shaped_sleeve import SleeveShapeOption, lay_shaped_sleeve
 from swifttailor.pattern.drafts.sleeve import Sleeve
 from swifttailor.pattern.drafts.trousers import lay_trousers, legs_of_bodice, sew_legs
@@ -192,6 +193,8 @@ class SkaterDressOptions(SleevedBodiceOptions):
     skirt_length: declared.SkirtLength = 50.0
     skirt_fraction: declared.CircleFraction = 0.75
     gathers: declared.SkirtGathers = 1.0
+    hem_dip: declared.HemDip = 0.0
+    scallop_width: declared.ScallopWidth = 0.0
 
 
 def draft_skater_dress(options: SkaterDressOptions, measurements: Measurements) -> Pattern:
@@ -201,7 +204,8 @@ def draft_skater_dress(options: SkaterDressOptions, measurements: Measurements) 
     waist = lay_sleeved_bodice(table, figure, options)
     table.mirror()
     sew_centres(table)
-    skirt = RoundSkirt(options.skirt_length, options.skirt_fraction, options.gathers)
+    hem = HemShape(options.hem_dip, options.scallop_width)
+    skirt = RoundSkirt(options.skirt_length, options.skirt_fraction, options.gathers, hem)
     lay_round_skirt(table, figure, skirt, waist)
     return table.finish()
 

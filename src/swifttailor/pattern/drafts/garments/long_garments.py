@@ -6,7 +6,13 @@ from dataclasses import dataclass, replace
 from typing import Annotated
 
 from swifttailor.pattern.drafts import declared
-from swifttailor.pattern.drafts.bodice import LooseBodice, lay_loose_bodice, overlap_fronts, sew_centres
+from swifttailor.pattern.drafts.bodice import (
+    LooseBodice,
+    follows_body,
+    lay_loose_bodice,
+    overlap_fronts,
+    sew_centres,
+)
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure
 from swifttailor.pattern.drafts.hood import Hood, lay_hood, sew_hood
@@ -250,6 +256,8 @@ class ShiftDressOptions:
     collar: CollarOption = "none"
     collar_width: declared.CollarWidth = 5.5
     collar_height: CollarHeight = 4.0
+    waist_shaping: declared.WaistShaping = 0.0
+    stretch: declared.ClothStretch = 0.0
 
 
 def draft_shift_dress(options: ShiftDressOptions, measurements: Measurements) -> Pattern:
@@ -260,11 +268,14 @@ def draft_shift_dress(options: ShiftDressOptions, measurements: Measurements) ->
 def _from_the_shoulders(
     name: str, options: SwingDressOptions | ShiftDressOptions, measurements: Measurements
 ) -> Pattern:
-    figure = Figure.of(measurements)
-    table = CuttingTable(name)
+    shift = options if isinstance(options, ShiftDressOptions) else None
+    stretch, shaping = (shift.stretch, shift.waist_shaping) if shift else (0.0, 0.0)
+    cut, wing = (shift.armhole, shift.wing) if shift else ("set-in", 0.0)
+    figure = Figure.of(measurements).for_cloth(stretch / 100)
+    table = CuttingTable(name, stretch / 100)
     asked = Neckline(options.neckline, options.neck_widening, options.neck_depth, options.back_neck_depth)
     collar = NeckCollar(options.collar, options.collar_width, options.collar_height)
-    extension = options.shoulder_extension if isinstance(options, ShiftDressOptions) else 0.0
+    extension = shift.shoulder_extension if shift else 0.0
     bodice = LooseBodice(
         collar.neckline(asked),
         options.chest_ease,
@@ -272,15 +283,15 @@ def _from_the_shoulders(
         options.armhole_drop,
         flare=options.flare,
         shoulder_extension=extension if options.sleeves else -1.5,
-        side_slits=options.side_slits if isinstance(options, ShiftDressOptions) else 0.0,
-        side_rise=options.hem_rise if isinstance(options, ShiftDressOptions) else 0.0,
+        side_slits=shift.side_slits if shift else 0.0,
+        side_rise=shift.hem_rise if shift else 0.0,
+        waist_shaping=shaping,
+        follows=follows_body(stretch, shaping, cut),
     )
     lay_loose_bodice(table, figure, bodice)
     collar.lay(table, figure)
     if options.sleeves:
         sleeve = Sleeve(options.sleeve_length, options.arm_ease, options.sleeve_end, 0.01, extension)
-        cut = options.armhole if isinstance(options, ShiftDressOptions) else "set-in"
-        wing = options.wing if isinstance(options, ShiftDressOptions) else 0.0
         lay_shaped_sleeve(table, figure, options.sleeve_shape, sleeve, cut, wing)
     table.mirror()
     sew_centres(table)

@@ -26,7 +26,7 @@ _DROP_SHARE, _LEAST_DROP_CM = 0.22, 1.0
 class PullOnTrousersOptions:
     """Options of the pull-on trousers."""
 
-    length: declared.TrouserLength = 100.0
+    length: declared.LongTrouserLength = 100.0
     hip_ease: Annotated[float, Option("Room on top of the hip girth, all around.", "cm", 2.0, 40.0)] = 8.0
     leg_ease: declared.LegEase = 22.0
     flare: Annotated[float, Option("How much wider the leg ends than at the knee.", "cm", -12.0, 30.0)] = 0.0

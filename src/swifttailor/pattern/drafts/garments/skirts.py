@@ -19,6 +19,7 @@ from swifttailor.pattern.drafts.flared_skirt import (
 from swifttailor.pattern.drafts.joins import SKIRT_HALVES, SKIRT_WHOLE, sew_skirt_to_band
 from swifttailor.pattern.drafts.measurements import Measurements
 from swifttailor.pattern.drafts.options import Option
+from swifttailor.pattern.drafts.shaped_hem import HemShape
 from swifttailor.pattern.pattern import Pattern
 
 
@@ -78,6 +79,8 @@ class CircleSkirtOptions:
     fraction: declared.CircleFraction = 0.75
     band_height: declared.BandHeight = 4.0
     waist_ease: declared.BandEase = 0.0
+    hem_dip: declared.HemDip = 0.0
+    scallop_width: declared.ScallopWidth = 0.0
 
 
 def draft_circle_skirt(options: CircleSkirtOptions, measurements: Measurements) -> Pattern:
@@ -86,7 +89,8 @@ def draft_circle_skirt(options: CircleSkirtOptions, measurements: Measurements) 
     table = CuttingTable("circle-skirt")
     lower = lay_body_waist_band(table, figure, options.band_height, options.waist_ease)
     top_y = figure.waist_y - options.band_height - 3.0
-    lay_flared_skirt(table, lower, options.length - options.band_height, top_y, options.fraction)
+    hem = HemShape(options.hem_dip, options.scallop_width)
+    lay_flared_skirt(table, lower, options.length - options.band_height, top_y, options.fraction, hem)
     sew_skirt_to_band(table, SKIRT_WHOLE)
     return table.finish()
 

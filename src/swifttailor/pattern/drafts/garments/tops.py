@@ -6,7 +6,13 @@ from dataclasses import dataclass
 from typing import Annotated
 
 from swifttailor.pattern.drafts import declared
-from swifttailor.pattern.drafts.bodice import LooseBodice, lay_loose_bodice, overlap_fronts, sew_centres
+from swifttailor.pattern.drafts.bodice import (
+    LooseBodice,
+    follows_body,
+    lay_loose_bodice,
+    overlap_fronts,
+    sew_centres,
+)
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure
 from swifttailor.pattern.drafts.measurements import Measurements
@@ -73,6 +79,7 @@ def draft_t_shirt(options: TShirtOptions, measurements: Measurements) -> Pattern
         side_slits=options.side_slits,
         side_rise=options.hem_rise,
         waist_shaping=options.waist_shaping,
+        follows=follows_body(options.stretch, options.waist_shaping, options.armhole),
     )
     lay_loose_bodice(table, figure, bodice)
     sleeve = Sleeve(
@@ -122,6 +129,7 @@ def draft_tank_top(options: TankTopOptions, measurements: Measurements) -> Patte
         shoulder_extension=min(strap_end - figure.shoulder_x, 0.0),
         side_rise=options.hem_rise,
         waist_shaping=options.waist_shaping,
+        follows=follows_body(options.stretch, options.waist_shaping),
     )
     lay_loose_bodice(table, figure, bodice)
     table.mirror()
@@ -172,6 +180,7 @@ def draft_turtleneck(options: TurtleneckOptions, measurements: Measurements) -> 
         shoulder_extension=0.0 if options.sleeves else -_INSET_CM,
         side_slits=options.side_slits,
         waist_shaping=options.waist_shaping,
+        follows=follows_body(options.stretch, options.waist_shaping, options.armhole),
         front_opening=options.opening,
         front_closed_to=options.closed_to,
     )

@@ -24,6 +24,9 @@ from swifttailor.pattern.pattern import Pattern
 
 SlimLegEase = Annotated[float, Option("Room on top of the leg's girth at the knee.", "cm", 0.0, 8.0)]
 Taper = Annotated[float, Option("How much narrower the hem is than the knee.", "cm", 0.0, 12.0)]
+Bow = Annotated[
+    float, Option("How far each side seam bows outward at the thigh, as of jodhpurs.", "cm", 0.0, 8.0)
+]
 CrotchDrop = Annotated[float, Option("Crotch of the trousers below the body's.", "cm", 0.0, 5.0)]
 
 
@@ -31,7 +34,7 @@ CrotchDrop = Annotated[float, Option("Crotch of the trousers below the body's.",
 class TrousersOptions:
     """Options of the trousers."""
 
-    length: declared.TrouserLength = 102.0
+    length: declared.LongTrouserLength = 102.0
     hip_ease: declared.HipEase = 4.0
     leg_ease: declared.LegEase = 9.0
     flare: declared.LegFlare = 0.0
@@ -58,6 +61,7 @@ class JeansOptions:
     crotch_drop: CrotchDrop = 0.5
     band_height: declared.BandHeight = 4.0
     below_waist: declared.BelowWaist = 0.0
+    bow: Bow = 0.0
     stretch: declared.ClothStretch = 0.0
 
 
@@ -117,6 +121,7 @@ def _slim_legs(options: JeansOptions | LeggingsOptions) -> Trousers:
         narrowest=NARROWEST,
         reach=CLOSE_REACH,
         side_share=SIDE_SHARE,
+        bow=options.bow if isinstance(options, JeansOptions) else 0.0,
     )
 
 

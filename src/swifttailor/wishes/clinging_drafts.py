@@ -1,0 +1,104 @@
+"""Named drafts of what is to cling: smaller than the body, of cloth that stretches."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+from swifttailor.describing.claims import Claim
+from swifttailor.pattern.drafts.draft_names import NamedDraft
+
+STRETCH, SHAPING = "stretch", "waist_shaping"
+"""Key of ``cannot.txt`` and option of drafts; the option of how far side seams bend inward."""
+_STRETCH_CM, _SHAPING_CM = 10.0, 4.0
+"""Per cent by which such cloth is cut smaller, and the bend of the sides at the waist, cm."""
+_KNITTED = ("t-shirt", "tank-top", "turtleneck", "shift-dress")
+"""Drafts without darts that follow the body where their cloth stretches."""
+_DRESSES = ("fitted-dress", "skater-dress")
+"""Drafts with a waist seam and darts that knitted dresses do without."""
+_OF_DRESSES = (
+    "neckline",
+    "neck_widening",
+    "neck_depth",
+    "back_neck_depth",
+    "sleeves",
+    "sleeve_length",
+    "sleeve_end",
+    "sleeve_shape",
+    "collar",
+    "collar_width",
+    "collar_height",
+)
+_SHORTEST_CM = 25.0
+_SKIRT_CM: Mapping[str, float] = {"fitted-dress": 60.0, "skater-dress": 50.0}
+_CLOSE_SKIRTS = ("pencil", "straight", "narrowing")
+_WITH_WAIST = frozenset({"waist_seam", "slit", "tiers", "gores"})
+_CHEST_CM, _ARM_CM = 2.0, 4.0
+"""Room on top of bust and arm, over the body as its cloth is cut for it."""
+_SLEEVE_ENDS: Mapping[float, float] = {45.0: 20.0, 36.0: 24.0, 26.0: 26.0, 0.0: 29.0}
+"""Width around at the end of sleeves that are at least so long, cm."""
+_ALL_OVER = {"bust_ease": 3.0, "waist_ease": 2.0, "hip_ease": 2.0}
+_CLOSER: Mapping[str, Mapping[str, float]] = {
+    "jumpsuit": _ALL_OVER,
+    "strappy-jumpsuit": _ALL_OVER,
+    "strapless-jumpsuit": {"hip_ease": 2.0},
+    "halter-jumpsuit": {"chest_ease": 2.0, "waist_ease": 2.0, "hip_ease": 2.0},
+    "mermaid-dress": _ALL_OVER,
+    "fitted-dress": _ALL_OVER,
+    "fitted-skirt": {"hip_ease": 2.0},
+}
+"""Other drafts that may be of such cloth, and the room that they then have at most, cm."""
+_SLIM = {"leg_ease": 2.0, "flare": -7.0, "length": 96.0}
+_WIDE_LEGS = frozenset({Claim("legs", "wide"), Claim("legs", "flared"), Claim("legs", "straight")})
+_LESS_STRETCH = 8.0
+
+
+def clinging_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
+    """A draft of cloth that stretches, cut to lie on the body all over; others as they are.
+
+    Args:
+        draft: As it was asked for otherwise.
+        claims: What is asked for, all of it.
+    """
+    if draft.name in _DRESSES and not any(_has_waist(claim) for claim in claims):
+        draft = _without_waist(draft)
+    options = dict(draft.options)
+    if draft.name in _KNITTED:
+        options["stretch"] = max(_STRETCH_CM, float(options.get("stretch", 0.0)))
+        options["chest_ease"] = _CHEST_CM
+        options |= {SHAPING: _SHAPING_CM, "flare": 0.0}
+        if draft.name != "tank-top":
+            options |= _close_sleeves(draft.name, options)
+        return replace(draft, options=tuple(options.items()))
+    closer = _CLOSER.get(draft.name)
+    if closer is None:
+        return draft
+    options |= {name: min(most, float(options.get(name, most))) for name, most in closer.items()}
+    options["stretch"] = max(_LESS_STRETCH, float(options.get("stretch", 0.0)))
+    if draft.name.endswith("jumpsuit") and not _WIDE_LEGS.intersection(claims):
+        options = {**_SLIM, **options, "leg_ease": min(float(options.get("leg_ease", 2.0)), 3.0)}
+    return replace(draft, options=tuple(options.items()))
+
+
+def _without_waist(draft: NamedDraft) -> NamedDraft:
+    """A dress that falls from the shoulders in one, as long and with the same neck and sleeves."""
+    options = dict(draft.options)
+    length = max(float(options.get("skirt_length", _SKIRT_CM[draft.name])), _SHORTEST_CM)
+    kept = {name: options[name] for name in _OF_DRESSES if name in options}
+    return NamedDraft("shift-dress", tuple({"length": length, **kept}.items()))
+
+
+def _close_sleeves(name: str, options: Mapping[str, float | bool | str]) -> Mapping[str, float]:
+    usual = {"t-shirt": 22.0, "turtleneck": 58.5}.get(name, 24.0)
+    length = float(options.get("sleeve_length", usual))
+    if options.get("sleeve_shape", "plain") != "plain" or options.get("armhole") == "cut-in-one":
+        return {}
+    return {
+        "arm_ease": _ARM_CM,
+        "sleeve_end": next(end for least, end in _SLEEVE_ENDS.items() if length >= least),
+    }
+
+
+def _has_waist(claim: Claim) -> bool:
+    """Whether what has this has a seam at the waist, or a skirt of its own."""
+    return claim.name in _WITH_WAIST or (claim.name == "skirt" and claim.value not in _CLOSE_SKIRTS)

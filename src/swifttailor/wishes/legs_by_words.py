@@ -1,0 +1,56 @@
+"""Legs with what words say that no claim does: an elastic waist, hems that drag on the floor."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection, Mapping
+from dataclasses import replace
+
+from swifttailor.describing.claims import Claim
+from swifttailor.pattern.drafts.draft_names import NamedDraft
+
+ELASTIC = "elastic"
+"""Key of ``cannot.txt``: gathers at the waist stand for it."""
+_DRAGS = re.compile(
+    r"(?<!\w)(?:(?:drag|trail|puddl|pool)\w*\s+(?:(?:on|along|over|across|at|around)\s+)?(?:the\s+|my\s+)?"
+    r"(?:floor|ground|feet|shoes)|puddling|puddle hems?"
+    r"|(?:super|extra|very|really|too|extremely)[\s-]+long(?!\s+(?:sleeves?|arms?|zips?|slits?|rise)))(?!\w)",
+    re.IGNORECASE,
+)
+_NOT_LONG = re.compile(
+    r"(?<!\w)(?:not|n't|nicht|isn't|aren't)\s+(?:\w+\s+)?(?:too|so|very|extra)\s+long", re.I
+)
+_DRAGGING_CM = 113.0
+_LONG_CM = 90.0
+"""Legs that end above the ankle are not meant."""
+_FULL, _SHORTER_CM = Claim("leg_hem", "full"), 92.0
+"""Legs that are not to be so long, and how long they are then."""
+_LONGEST = ("trousers", "pull-on-trousers")
+_PULLED_ON: Mapping[str, float] = {"hip_ease": 7.0, "leg_ease": 21.0, "flare": -3.5}
+"""What trousers that are gathered at the waist have at least, as they have no darts."""
+_OF_BOTH = ("length", "hip_ease", "leg_ease", "flare", "below_waist")
+
+
+def legs_as_said(
+    draft: NamedDraft, text: str, wanted: Collection[str], never: Collection[Claim]
+) -> NamedDraft:
+    """Trousers that drag, or that are gathered at the waist, where a text says so; others as they are.
+
+    Args:
+        draft: As it was asked for otherwise.
+        text: All of it.
+        wanted: Keys of ``cannot.txt`` that it asks for.
+        never: What it refuses.
+    """
+    if draft.name == "trousers" and ELASTIC in wanted:
+        kept = {name: value for name, value in draft.options if name in _OF_BOTH}
+        room = max(_PULLED_ON["hip_ease"], float(kept.get("hip_ease", 0.0)))
+        draft = NamedDraft("pull-on-trousers", tuple({**_PULLED_ON, **kept, "hip_ease": room}.items()))
+    options = dict(draft.options)
+    long = float(options.get("length", _LONG_CM)) >= _LONG_CM
+    if draft.name in _LONGEST and long and _DRAGS.search(text) and not _NOT_LONG.search(text):
+        draft = replace(draft, options=tuple({**options, "length": _DRAGGING_CM}.items()))
+    elif draft.name in _LONGEST and _FULL in never:
+        length = min(_SHORTER_CM, float(options.get("length", _SHORTER_CM)))
+        draft = replace(draft, options=tuple({**options, "length": length}.items()))
+    return draft

@@ -1,0 +1,77 @@
+"""What is to cling is cut smaller, of cloth that stretches, without a seam at the waist."""
+
+from __future__ import annotations
+
+import pytest
+
+from swifttailor.describing.claims import Claim
+from swifttailor.pattern.drafts import draft
+from swifttailor.pattern.drafts.draft_names import NamedDraft
+from swifttailor.wishes.clinging_drafts import clinging_as_asked
+from swifttailor.wishes.hearing import hear_description
+from swifttailor.wishes.reader import WishReader
+
+
+@pytest.fixture(scope="module")
+def reader():
+    return WishReader.load()
+
+
+def stretch(named: NamedDraft) -> float:
+    return float(dict(named.options).get("stretch", 0.0))
+
+
+@pytest.mark.parametrize(
+    ("text", "name"),
+    [
+        ("rib knit roll neck dress, midi, skin tight", "shift-dress"),
+        ("black bandage dress", "shift-dress"),
+        ("tight jersey mini dress with long sleeves", "shift-dress"),
+        ("a wifebeater", "tank-top"),
+        ("rash vest", "t-shirt"),
+        ("thermal base layer top, slim fit", "t-shirt"),
+        ("clingy turtleneck", "turtleneck"),
+    ],
+)
+def test_words_that_mean_it(text, name, reader):
+    first = hear_description(text, reader).drafts[0]
+    assert first.name == name and stretch(first) >= 8.0 and dict(first.options)["waist_shaping"] > 3.0
+
+
+@pytest.mark.parametrize("text", ["white t-shirt", "close fitting wool dress", "a loose jersey dress"])
+def test_words_that_do_not(text, reader):
+    assert not any(stretch(one) for one in hear_description(text, reader).drafts)
+
+
+def test_dresses_that_need_a_waist_keep_it():
+    dress = NamedDraft("fitted-dress", (("skirt_length", 70.0), ("collar", "rolled")))
+    without = clinging_as_asked(dress, [])
+    assert without.name == "shift-dress" and dict(without.options)["length"] == 70.0
+    assert dict(without.options)["collar"] == "rolled"
+    for claim in (Claim("waist_seam", "natural"), Claim("slit", "left"), Claim("skirt", "circle")):
+        kept = clinging_as_asked(dress, [claim])
+        assert kept.name == "fitted-dress" and stretch(kept) > 0.0
+
+
+def test_it_is_to_the_eye_what_it_follows():
+    tight = clinging_as_asked(NamedDraft("fitted-dress"), [])
+    assert ("skirt", "pencil") in tight.is_to_the_eye
+    assert ("skirt", "pencil") not in NamedDraft("shift-dress").is_to_the_eye
+
+
+@pytest.mark.parametrize("name", ["t-shirt", "tank-top", "turtleneck", "shift-dress", "jumpsuit"])
+def test_all_of_them_can_be_drafted(name):
+    named = clinging_as_asked(NamedDraft(name), [])
+    assert draft(named.name, **dict(named.options)).cloth_stretch > 0.0
+
+
+@pytest.mark.parametrize("name", ["halter-jumpsuit", "strapless-jumpsuit", "strappy-jumpsuit"])
+def test_catsuits_have_slim_legs_unless_others_are_asked_for(name):
+    slim = clinging_as_asked(NamedDraft(name), [])
+    assert dict(slim.options)["leg_ease"] <= 3.0
+    assert draft(slim.name, **dict(slim.options)).cloth_stretch > 0.0
+    assert "leg_ease" not in dict(clinging_as_asked(NamedDraft(name), [Claim("legs", "wide")]).options)
+
+
+def test_others_stay_as_they_are():
+    assert clinging_as_asked(NamedDraft("coat"), []) == NamedDraft("coat")

@@ -1,0 +1,78 @@
+"""Legs that drag on the floor, that are gathered at the waist, and that are not too long."""
+
+from __future__ import annotations
+
+import pytest
+
+from swifttailor.pattern.drafts.draft_names import NamedDraft
+from swifttailor.wishes.hearing import hear_description
+from swifttailor.wishes.legs_by_words import legs_as_said
+from swifttailor.wishes.reader import WishReader
+
+TROUSERS = NamedDraft("trousers", (("length", 100.0), ("leg_ease", 36.0)))
+
+
+@pytest.fixture(scope="module")
+def reader():
+    return WishReader.load()
+
+
+def length(named: NamedDraft) -> float:
+    return float(dict(named.options)["length"])
+
+
+@pytest.mark.parametrize(
+    "text", ["wideleg pants super long they drag on the floor", "jeans that puddle around the feet"]
+)
+def test_they_drag(text):
+    assert length(legs_as_said(TROUSERS, text, (), ())) > 110.0
+
+
+@pytest.mark.parametrize(
+    "text", ["trousers, not too long", "wide trousers with extra long sleeves", "long wide trousers"]
+)
+def test_they_do_not(text):
+    assert length(legs_as_said(TROUSERS, text, (), ())) == 100.0
+
+
+def test_short_ones_stay_short():
+    shorts = NamedDraft("trousers", (("length", 50.0),))
+    assert legs_as_said(shorts, "super long shorts", (), ()) == shorts
+
+
+@pytest.mark.parametrize(
+    ("text", "name"),
+    [
+        ("trousers with an elasticated waist, straight leg, not too long", "pull-on-trousers"),
+        ("grey slacks", "trousers"),
+        ("cargo trousers with elasticated ankles", "joggers"),
+        ("sports shorts", "pull-on-trousers"),
+        ("board shorts", "pull-on-trousers"),
+        ("tap pants", "pull-on-trousers"),
+    ],
+)
+def test_what_is_gathered_at_the_waist(text, name, reader):
+    assert hear_description(text, reader).drafts[0].name == name
+
+
+def test_not_too_long_ends_above_the_foot(reader):
+    first = hear_description("trousers with an elasticated waist, not too long", reader).drafts[0]
+    assert length(first) < 95.0
+
+
+@pytest.mark.parametrize(
+    ("text", "name", "option", "least"),
+    [
+        ("jodhpurs", "jeans", "bow", 3.0),
+        ("plus fours", "joggers", "leg_ease", 30.0),
+        ("harem trousers", "joggers", "leg_ease", 50.0),
+        ("zouave trousers", "joggers", "leg_ease", 50.0),
+        ("churidar pants", "leggings", "length", 104.0),
+        ("joined hose", "leggings", "length", 100.0),
+        ("hakama", "pull-on-trousers", "leg_ease", 50.0),
+        ("clown trousers", "pull-on-trousers", "flare", 25.0),
+    ],
+)
+def test_legs_of_names(text, name, option, least, reader):
+    first = hear_description(text, reader).drafts[0]
+    assert first.name == name and float(dict(first.options)[option]) >= least
