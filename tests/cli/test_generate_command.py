@@ -320,9 +320,9 @@ def test_a_colour_is_changed_alone_and_a_fabric_needs_physics(write, tmp_path, c
     given[2] = "make it red and of denim"
     assert command(*given, tmp_path / "after") == 1
     said = capsys.readouterr().out
-    assert "Colour: red (#ff0000)." in said and "warning: The fabric, denim, is not met" in said
+    assert "Colour: red (#ab252e)." in said and "warning: The fabric, denim, is not met" in said
     assert (tmp_path / "after" / "pattern.json").read_bytes() == before
-    assert json.loads((tmp_path / "after" / "report.json").read_text())["color"] == "#ff0000"
+    assert json.loads((tmp_path / "after" / "report.json").read_text())["color"] == "#ab252e"
 
 
 def test_unmet_wishes_are_exit_code_1(write, tmp_path, capsys):

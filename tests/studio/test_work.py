@@ -185,7 +185,7 @@ def test_words_to_garments(client):
     assert hem.value == "knee" and "midi" in hem.choices and hem.holds
     assert any("sequins" in chip.text for chip in reading.cannot)
     assert [chip.text for chip in reading.unknown] == ["blorf"]
-    assert reading.color == done.documents[0].color == "#ff0000"
+    assert reading.color == done.documents[0].color == "#ab252e"
     again = ask(client, "/api/jobs", {"kind": "generate", "text": text, "seed": 3})
     assert follow(client, again["id"])[-1][1]["documents"][0]["mesh"] == done.documents[0].mesh
 

@@ -89,7 +89,7 @@ def test_of_two_wishes_the_one_that_is_lost_is_said(tailor, lost, order):
 def test_a_colour_alone_changes_the_colour_alone(tailor):
     made = tailor.edit(DRESS.canonical(), "make it red and of denim")
     assert made.pattern == DRESS.canonical()
-    assert made.garment.color == made.report["color"] == "#ff0000"
+    assert made.garment.color == made.report["color"] == "#ab252e"
     assert tailor.pattern_maker.model.runtime.asked == [], "nobody was asked to write another"
     assert any(n.startswith("Colour: red") for n in made.notes) and "denim" in made.warnings[0]
 
@@ -181,13 +181,13 @@ def test_a_print_alone_changes_the_print_alone_and_is_kept(tailor, tmp_path):
 
 
 def test_looks_of_parts_alone_cut_nothing_and_are_kept(tailor, tmp_path):
-    red = PartLook("skirt", "#ff0000")
+    red = PartLook("skirt", "#ab252e")
     made = tailor.edit(DRESS, "make the skirt red")
     assert made.pattern == DRESS.canonical() and made.garment.looks == (red,) and not made.needs_a_look
-    assert made.report["looks"] == [{"part": "skirt", "color": "#ff0000"}]
-    assert "Parts in a look of their own: skirt in red (#ff0000)." in made.notes
+    assert made.report["looks"] == [{"part": "skirt", "color": "#ab252e"}]
+    assert "Parts in a look of their own: skirt in red (#ab252e)." in made.notes
     sheer = tailor.edit(DRESS, "make the skirt sheer", looks=made.garment.looks)
-    assert sheer.garment.looks == (PartLook("skirt", "#ff0000", "sheer"),)
+    assert sheer.garment.looks == (PartLook("skirt", "#ab252e", "sheer"),)
     sheer.save(tmp_path, preview=False, images=False)
     assert Garment.load(tmp_path).looks == sheer.garment.looks
     longer = tailor.edit(DRESS, "make it 5 cm longer", looks=sheer.garment.looks)

@@ -17,11 +17,11 @@ def asked(text):
     ("text", "kind", "colors"),
     [
         ("navy and white striped top", "stripes", ("#1f2a44", "#ffffff")),
-        ("a red dress with white polka dots", "dots", ("#ff0000", "#ffffff")),
-        ("white dots on a dark blue dress", "dots", ("#00008b", "#ffffff")),
-        ("dress with red dots", "dots", ("#f4f1e8", "#ff0000")),
+        ("a red dress with white polka dots", "dots", ("#ab252e", "#ffffff")),
+        ("white dots on a dark blue dress", "dots", ("#1d2f5e", "#ffffff")),
+        ("dress with red dots", "dots", ("#f4f1e8", "#ab252e")),
         ("a Breton top", "stripes", ("#f4f1e8", "#1f2a44")),
-        ("gingham skirt in red", "checks", ("#ff0000", "#f4f1e8")),
+        ("gingham skirt in red", "checks", ("#ab252e", "#f4f1e8")),
     ],
 )
 def test_colours_have_their_places_in_a_print(text, kind, colors):

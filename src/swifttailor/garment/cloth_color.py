@@ -15,13 +15,13 @@ if TYPE_CHECKING:
 
 PALETTE = (
     "#527788",  # petrol
-    "#a2614c",  # terracotta
-    "#747c5c",  # olive
-    "#b8965a",  # ochre
-    "#7c566b",  # plum
+    "#5c7c9c",  # denim
+    "#76836b",  # sage
+    "#8a8f98",  # dove
+    "#5d6480",  # dusk
     "#62709a",  # cornflower
     "#4b6a5e",  # bottle green
-    "#b07a82",  # rosewood
+    "#7c8fa6",  # cloud
     "#4a5266",  # ink
 )
 """sRGB; each can be told from the mannequin and its backdrop."""

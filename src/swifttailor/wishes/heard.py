@@ -24,7 +24,15 @@ from swifttailor.wishes.refused_looks import as_not_refused
 from swifttailor.wishes.ribs import ribs
 from swifttailor.wishes.sailor_collars import asks_for_sailor_collar, with_sailor_collar
 from swifttailor.wording.claim_kinds import implied_kind
-from swifttailor.wording.lexicon import Entry, Lack, WordReading, cannot_texts, foreign_language
+from swifttailor.wording.lexicon import (
+    Entry,
+    Lack,
+    WordMark,
+    WordReading,
+    cannot_texts,
+    foreign_language,
+    usual_color,
+)
 
 MOST_OF_KINDS, MOST_OF_NAMES = 6, 7
 """Up to so many things may be told of a garment that begins from a draft: where words name a mere kind, and
@@ -40,7 +48,7 @@ _CUT_AS = {"tunic": "top", "shorts": "trousers", "playsuit": "jumpsuit"}
 """Kinds that are drafted as others."""
 _COLOR_OF_CLOTH = {"denim": "3b5578"}
 """What a fabric is dyed unless another colour than blue is named."""
-_BLUE = "0000ff"
+_BLUE = "365c96"
 _ALIKE = 32
 """So far apart at most are red, green and blue, of 255, of colours that are called the same."""
 
@@ -84,8 +92,7 @@ class Heard:
         """The first colour that it names, ``#rrggbb``, or that a name or a fabric implies: blue jeans."""
         named = self.words.colors if self.words is not None else ()
         unwanted = self._unwanted_colors
-        names = [e for e in self._meant if e.category != "colors"]
-        meant = (e.color for e in names if e.color is not None and e.color not in unwanted)
+        meant = (color for color in self._implied_colors if color not in unwanted)
         rgb = named[0].rgb if named else next(meant, None)
         dyed = _COLOR_OF_CLOTH.get(self.cloth or "")
         if rgb is None or (dyed is not None and rgb == _BLUE):
@@ -199,11 +206,22 @@ class Heard:
         return [claim for claim in likely if claim == _BARE]
 
     @property
+    def _implied_colors(self) -> list[str]:
+        """Colours that go with its names and cloths, those of cloths first: a skirt of leather is black."""
+        found = [
+            ((entry.category != "fabrics", mark.role == "second"), color)
+            for mark in self._meant_marks
+            for entry in mark.entries
+            if entry.category != "colors" and (color := usual_color(mark.word, entry)) is not None
+        ]
+        return [color for _, color in sorted(found, key=lambda each: each[0])]
+
+    @property
     def _unwanted_colors(self) -> frozenset[str]:
         """Colours that it refuses, and such as look like them: a dress for a wedding that is not white."""
         marks = () if self.words is None else self.words.marks
         denied = [e.color for mark in marks if mark.denied for e in mark.entries if e.color is not None]
-        known = [e.color for e in self._meant if e.color is not None]
+        known = self._implied_colors
         alike = [one for one in known for other in denied if _alike(one, other)]
         return frozenset([*denied, *alike])
 
@@ -252,12 +270,16 @@ class Heard:
         return [entry for mark in marks if mark.role == "like" for entry in mark.entries if entry.kinds]
 
     @property
-    def _meant(self) -> list[Entry]:
+    def _meant_marks(self) -> list[WordMark]:
+        """Its words that are not denied, and not said of how a part looks."""
         if self.words is None:
             return []
         of_parts = {id(mark) for look in self.words.looks if look.part != "all" for mark in look.marks}
-        marks = [mark for mark in self.words.marks if not mark.denied and id(mark) not in of_parts]
-        return [entry for mark in marks for entry in mark.entries]
+        return [mark for mark in self.words.marks if not mark.denied and id(mark) not in of_parts]
+
+    @property
+    def _meant(self) -> list[Entry]:
+        return [entry for mark in self._meant_marks for entry in mark.entries]
 
     @cached_property
     def cannot(self) -> tuple[str, ...]:

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
         read_words,
     )
     from swifttailor.wording.lexicon.said_looks import SaidLook
+    from swifttailor.wording.lexicon.usual_colors import usual_color
     from swifttailor.wording.lexicon.vocabulary import all_entries, cannot_texts
 
 _PUBLIC = {
@@ -36,6 +37,7 @@ _PUBLIC = {
     "exclude": "conflicts",
     "foreign_language": "foreign",
     "read_words": "reading",
+    "usual_color": "usual_colors",
 }
 
 __all__ = [
@@ -52,6 +54,7 @@ __all__ = [
     "exclude",
     "foreign_language",
     "read_words",
+    "usual_color",
 ]
 
 __getattr__ = loaded_on_first_use(__name__, _PUBLIC)
