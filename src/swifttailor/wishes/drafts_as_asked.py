@@ -233,7 +233,7 @@ def _standing(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
 
 
 def _with_collar(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
-    """Tops with a collar that is turned down are shirts, knitted ones without cuffs; of dresses it lies flat."""
+    """Tops with a collar turned down are shirts, knitted ones without cuffs; that of dresses lies flat."""
     if Claim("collar", "lapel") not in claims:
         return draft
     options = dict(draft.options)

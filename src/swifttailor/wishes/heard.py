@@ -337,7 +337,7 @@ _MAY_BE_COLLARED = (
 
 
 def _with_one_collar(named: list[NamedDraft]) -> list[NamedDraft]:
-    """Shirts and dresses with the collar that another draft of the text has: a trapeze dress with a Peter Pan collar."""
+    """Shirts and dresses with the collar that another draft of the text has: a Peter Pan collar."""
     if any(draft.name == "cardigan" for draft in named) and any(_SHAWL in draft.options for draft in named):
         named = [_SHAWL_CARDIGAN if draft.name == "cardigan" else draft for draft in named]
     collars = [option for draft in named for option in draft.options if option[0] == "collar"]

@@ -26,6 +26,8 @@ _HIDDEN = tuple(
             r"(?<![\w-])(?:mean|spice|gossip|golden|gilmore|clean|vsco|cottage|that|e|it|bond|calendar"
             r"|pin[- ]?up|riot|surfer|skater|valley|material|rich|cool)"
             r" ?(?:girls?|boys?)(?='?s?(?!\w))(?! (?:aged?|of|size))",
+            r"(?<![\w-])(?:baby|toddler|child|kid|infant)s? (?:on|at|in|under|strapped to) (?:my|her|the)"
+            r" (?:hips?|arms?|back|chest|lap|shoulders?|breast)(?!\w)",
             r"(?<![\w-])(?:land|factory|shop|call|dream|cover|career|party|city) ?girls?(?!\w)",
             r"(?<!\w)(?:une?|la|le|ma|mon|cette|ce) petite?(?!\w)",
             rf"(?<![\w-])(?:the|that|this) {_OTHERS}s? (?:in|from|on|of|with)(?!\w)",

@@ -41,15 +41,16 @@ _LENGTHS: Mapping[str, float] = {
     "elbow": 32.0,
     "three-quarter": 44.0,
     "long": 60.0,
-    "extra-long": 64.0,
+    "extra-long": 66.0,
 }
+_EXTRA_LONG = Claim("sleeves", "extra-long")
 _USUAL = {"puffed": 22.0, "bell": 44.0, "balloon": 60.0, "plain": 44.0}
 """From the shoulder tip, cm, where nothing is said of the length."""
 _SLIM_END = 24.0
 """Width around at the end of long puffed sleeves, cm."""
 _WIDE = {"arm_ease": 18.0, "sleeve_end": 46.0}
 """Of sleeves that are to be wide."""
-_ENDS: Mapping[float, float] = {16.0: 33.0, 22.0: 33.0, 32.0: 31.0, 44.0: 28.0, 60.0: 24.0, 64.0: 24.0}
+_ENDS: Mapping[float, float] = {16.0: 33.0, 22.0: 33.0, 32.0: 31.0, 44.0: 28.0, 60.0: 24.0, 66.0: 24.0}
 """Width around at the end of plain sleeves of those lengths, cm."""
 _SHIRT_END = 34.0
 """The same of the short sleeves of shirts, which have no cuffs."""
@@ -92,8 +93,10 @@ def sleeves_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
 
 
 def _with_plain_sleeves(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
-    """A draft that has sleeves where an option says so, and shirts, with plain ones of the length that is told."""
+    """A draft that has sleeves where an option says so, and shirts, with plain ones as long as is told."""
     told, options = _told_lengths(claims), dict(draft.options)
+    if _EXTRA_LONG in claims and draft.name in (*_ALWAYS, *_CUFFED):
+        return replace(draft, options=tuple({**options, "sleeve_length": _LENGTHS["extra-long"]}.items()))
     if draft.name == "shirt" and told and told[0] <= _LENGTHS["elbow"]:
         short = {"sleeve_length": told[0], "sleeve_end": _SHIRT_END, "cuffs": False}
         return replace(draft, options=tuple({**options, **short}.items()))
@@ -114,4 +117,5 @@ def _cut_in_one(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
 
 
 def _told_lengths(claims: Sequence[Claim]) -> list[float]:
-    return [_LENGTHS[str(c.value)] for c in claims if c.name == "sleeves" and c.value in _LENGTHS]
+    found = [_LENGTHS[str(c.value)] for c in claims if c.name == "sleeves" and c.value in _LENGTHS]
+    return [_LENGTHS["extra-long"]] if _EXTRA_LONG in claims else found

@@ -41,9 +41,9 @@ SHORTEST_CM = 16.0
 """Puffs are no shorter, band included."""
 PUFF_EASE, PUFF_CAP = 30.0, 0.6
 """Room around the arm, cm, and by which part the cap of a puffed sleeve is longer than the armhole."""
-LEG_OF_MUTTON_EASE, LEG_OF_MUTTON_CAP = 24.0, 0.5
+LEG_OF_MUTTON_EASE, LEG_OF_MUTTON_CAP = 38.0, 0.95
 """The same of long ones, which end as plain ones do."""
-BALLOON_EASE, BALLOON_CAP = 18.0, 0.03
+BALLOON_EASE, BALLOON_CAP = 26.0, 0.12
 BAND_CM, BAND_EASE = 3.0, 3.0
 """Height of the band of a short sleeve and its room around the arm, cm."""
 CUFF_CM, CUFF_EASE = 6.0, 4.0

@@ -165,7 +165,8 @@ def _reading(text: str, language: Language, kind: str | None, dialect: Dialect |
         else:
             implied += [one for one in _implied(word, mark) if word.role != "like" or _has_place(one, kinds)]
     implied = _with_its_collar(_exact_lengths(implied, language))
-    never = list(dict.fromkeys(never))
+    named = _names_mean(marks)  # "a mini skirt, but not too short" is still a mini skirt
+    never = [claim for claim in dict.fromkeys(never) if claim not in named]
     kept = _settled([i for i in implied if i.claim not in never])
     if kind is None:
         kept = _with_kind(kept, never)
@@ -232,6 +233,12 @@ def _implied(word: Meaning, mark: WordMark) -> list[Implication]:
                 certainty = "likely" if certainty == "likely" or word.guessed else "usual"
             found.append(Implication(each.claim, certainty, said, mark))
     return found
+
+
+def _names_mean(marks: Sequence[WordMark]) -> frozenset[Claim]:
+    """What the name of the garment that is asked for means by definition."""
+    asked = [mark for mark in marks if mark.role == "garment" and not mark.denied]
+    return frozenset([claim for mark in asked for entry in mark.entries for claim in entry.claims("certain")])
 
 
 def _refused(mark: WordMark) -> tuple[list[Implication], list[Claim]]:

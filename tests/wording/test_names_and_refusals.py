@@ -1,0 +1,32 @@
+"""What is refused beside a name that means it, and names that are made as people picture them."""
+
+from __future__ import annotations
+
+import pytest
+
+from swifttailor.describing import Claim
+from swifttailor.wording import read_words
+
+
+def test_a_mini_skirt_that_is_not_too_short_is_still_a_mini_skirt():
+    reading = read_words("a mini skirt, but not too short")
+    assert reading.certainty(Claim("skirt_hem", "mini")) == "certain"
+    assert Claim("skirt_hem", "micro") in reading.never and Claim("skirt_hem", "mini") not in reading.never
+
+
+@pytest.mark.parametrize(
+    ("text", "claim"),
+    [
+        ("exomis", Claim("skirt_hem", "above the knee")),
+        ("seifuku skirt", Claim("kind", "skirt")),
+        ("monk's clothing", Claim("skirt_hem", "ankle")),
+        ("hooded fleece poncho", Claim("hood", "hood")),
+        ("Princess Peach dress", Claim("sleeve_shape", "puffed")),
+        ("wrapover overall", Claim("kind", "dress")),
+        ("servant's bedgown", Claim("kind", "dress")),
+        ("a blouse with huge sleeves", Claim("sleeve_shape", "balloon")),
+        ("a top with sleeves below the elbows", Claim("sleeves", "three-quarter")),
+    ],
+)
+def test_names_mean_what_people_picture(text, claim):
+    assert read_words(text).certainty(claim) is not None
