@@ -11,6 +11,7 @@ from swifttailor.pattern.drafts.draft_names import (
     ARMHOLE,
     BARE_SHOULDERED,
     COLLARED,
+    HOODED,
     ROLLED,
     SIDE_SLITS,
     STANDING,
@@ -19,6 +20,7 @@ from swifttailor.pattern.drafts.draft_names import (
 )
 from swifttailor.wishes.bared_drafts import bared_as_asked
 from swifttailor.wishes.held_drafts import held_as_asked
+from swifttailor.wishes.hooded_drafts import hooded_as_asked
 from swifttailor.wishes.legged_drafts import legs_as_asked
 from swifttailor.wishes.sleeved_drafts import sleeves_as_asked
 
@@ -27,6 +29,7 @@ _ROLLED_CM, _STANDS_CM = 4.5, 4.0
 """Height of collars when they are worn."""
 _STAND, _ROLLED = Claim("collar", "stand"), Claim("collar", "turtleneck")
 _OF_LAPELS = frozenset({Claim("collar", "lapel"), Claim("shoulders", "both")})
+_OF_HOODS = frozenset({Claim("hood", "hood"), Claim("shoulders", "both")})
 _OF_STANDS = frozenset({_STAND, _ROLLED, Claim("neck_depth", "high"), Claim("shoulders", "both")})
 """What may be asked for of the neck of a draft with such a collar."""
 _AT_THE_NECK = frozenset(
@@ -128,6 +131,7 @@ def draft_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft | N
         draft = _with_stand(draft, claims)
     if draft.name in ("turtleneck", _SWEATSHIRT) and Claim("sleeves", "none") in claims:
         draft = replace(draft, options=tuple({**dict(draft.options), "sleeves": False}.items()))
+    draft = hooded_as_asked(draft, claims)
     draft = _without_sleeves(_standing(_with_collar(draft, claims), claims), claims)
     if draft.name == "circle-skirt" and any(claim.name == "slit" for claim in claims):
         draft = NamedDraft("fitted-skirt", (("flare", 6.0),))
@@ -148,7 +152,7 @@ def draft_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft | N
     stands = draft.stands
     if not stands and draft.name not in COLLARED:
         return draft
-    own = _OF_STANDS if stands else _OF_LAPELS
+    own = _OF_STANDS if stands else _OF_HOODS if HOODED in draft.options else _OF_LAPELS
     others = [claim for claim in claims if claim.name in _AT_THE_NECK and claim not in own]
     return None if others else draft
 

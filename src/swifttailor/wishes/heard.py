@@ -178,10 +178,11 @@ class Heard:
     def made_as(self, draft: NamedDraft) -> Heard:
         """The same, where the garment begins from a draft: what that shows is no longer lacking.
 
-        Nor is what a name means of armholes, where it has others that the text asks for.
+        Nor is what a name means of armholes, where it has others that the text asks for, and of a collar.
         """
         shown = set(draft.shows)
         others = ARMHOLES if ARMHOLES & shown else frozenset()
+        others |= _TURNED_DOWN if draft.stands else frozenset()
         lacks = [k for k in self.lacks if k.what not in shown and (k.said or k.what not in others)]
         return replace(self, lacks=tuple(lacks))
 
@@ -317,6 +318,7 @@ class Heard:
 
 
 _FLARED, _STRAIGHT = Claim("skirt", "flared"), Claim("skirt", "straight")
+_TURNED_DOWN = frozenset({"shirt_collar"})
 _WHATEVER = NamedDraft("t-shirt", (("neck_widening", 0.7), ("chest_ease", 8.0), ("waist_shaping", 1.0)))
 _CLOSE = frozenset({Claim("fit", "close"), Claim("hips", "close")})
 _KNITTED, _CORDUROY = ("jersey", "rib-knit"), "twill"

@@ -15,8 +15,6 @@ MEASURED = list(DraftMeasurements.__dataclass_fields__)
 WITH_BACK = {"bust": "back_width", "waist": "waist_back_width", "hips": "hip_back_width"}
 
 
-FOLDED = {"blazer", "coat"}
-"""Their collars lie folded on the torso."""
 FOLDED_OR_NOT = {
     "polo-shirt",
     "denim-jacket",
@@ -27,7 +25,6 @@ FOLDED_OR_NOT = {
     "shift-dress",
     "swing-dress",
     "drop-waist-dress",
-    "coat",
     "jumpsuit",
 }
 """Theirs may also stand, or be turned down over a stand."""
@@ -87,7 +84,7 @@ def assert_sound(pattern: Pattern) -> None:
     assert len(sewn) == len(set(sewn))
     at_necks = {s.right_wrong for s in pattern.stitches if sum("collar" in x.panel for x in s.sides) == 1}
     assert len(at_necks) <= 1
-    lies_folded = True in at_necks if pattern.name in FOLDED_OR_NOT else pattern.name in FOLDED
+    lies_folded = True in at_necks and pattern.name in FOLDED_OR_NOT
     for stitch in pattern.stitches:
         folded = sum("collar" in side.panel for side in stitch.sides) == 1 and lies_folded
         assert stitch.right_wrong == (folded or is_fold(stitch))

@@ -29,7 +29,7 @@ def sewer():
 
 
 WRAPS = ("wrap-dress", "wrap-top")
-COLLARED = {"polo-shirt": {"collar": "folded"}, "shirt": {"collar": "flat"}, "blazer": {}}
+COLLARED = {"polo-shirt": {"collar": "folded"}, "shirt": {"collar": "flat"}}
 WOUND = ("wrap-skirt", "sarong")
 
 
@@ -111,15 +111,41 @@ def parts(stitch) -> set[str]:
 @pytest.mark.parametrize("width", [4.0, 7.5, 11.0])
 @pytest.mark.parametrize("lapels", ["notched", "shawl"])
 def test_lapels_are_as_wide_as_asked(width, lapels):
-    panel = draft("blazer", lapels=lapels, lapel_width=width).panel("left_collar_front")
+    panel = draft("blazer", lapels=lapels, lapel_width=width).panel("left_collar_fall_front")
     outline = panel.outline(0.01)
-    top = outline[np.argmax(outline[:, 1])]
     foot = outline[np.argmin(outline[:, 1])]
-    # The neckline is the way between these two that lies nearer to the middle.
-    inner = np.array([foot, top])
-    lowest = outline[outline[:, 1] < foot[1] + 0.7 * (top[1] - foot[1])]
-    beside = lowest[:, 0] - np.interp(lowest[:, 1], inner[:, 1], inner[:, 0])
-    assert beside.max() == pytest.approx(width, abs=1.5)
+    ends = panel.chord(max(range(len(panel.edges)), key=panel.edge_length))  # the fold, which is straight
+    along = (ends[1] - ends[0]) / np.linalg.norm(ends[1] - ends[0]) * np.sign(ends[1, 1] - ends[0, 1])
+    away = outline - foot
+    lower = away[away @ along < 0.7 * panel.edge_length(max(range(len(panel.edges)), key=panel.edge_length))]
+    assert abs(lower @ [along[1], -along[0]]).max() == pytest.approx(width, abs=0.5)
+
+
+@pytest.mark.parametrize("name", ["blazer", "coat"])
+@pytest.mark.parametrize("lapels", ["notched", "shawl"])
+def test_collars_with_lapels_stand_behind_and_are_turned_down_over_it(name, lapels):
+    pattern = draft(name, lapels=lapels)
+    for face, torso in (("front", "left_ftorso"), ("back", "left_btorso")):
+        stand, neck = seam_length(pattern, f"left_collar_{face}", torso)
+        assert stand == pytest.approx(neck, rel=1e-9)
+        fold, fall = seam_length(pattern, f"left_collar_{face}", f"left_collar_fall_{face}")
+        assert fold == pytest.approx(fall, rel=1e-9)
+    assert all("fall" in str(s.sides) for s in pattern.stitches if s.right_wrong)
+    stand, fall = (np.ptp(extent(pattern, f"left_collar{part}_back")[:, 1]) for part in ("", "_fall"))
+    assert fall > stand + 2.0, "the seam at the neck is covered"
+    assert Claim("collar", "lapel").holds(measure_facts(pattern)) and not has_holes(pattern)
+
+
+@pytest.mark.parametrize("name", ["shirt", "shirt-dress"])
+def test_small_lapels_and_hoods_are_sewn_to_shirts(name):
+    lapels, hood = (measure_facts(draft(name, collar=collar)) for collar in ("revers", "hood"))
+    assert lapels.collar.kind == "lapel" and lapels.hood is None
+    assert hood.collar is None and hood.hood is not None
+
+
+def test_ponchos_may_have_a_hood():
+    assert measure_facts(draft("poncho", hood=True)).hood is not None
+    assert measure_facts(draft("poncho")).hood is None
 
 
 def free_edge(pattern: Pattern, name: str) -> np.ndarray:

@@ -22,6 +22,8 @@ HEM_BALANCE = 0.45
 """Part of it that a garment without shoulders has at the centre front of its hem."""
 LOOSE_HEM_BALANCE = 0.6
 """The same of a loose garment that hangs from its shoulders."""
+_CROPPED_CM = 6.0
+"""What ends less far below the waist hangs from the bust, and has all of that there."""
 BLADE_FULLNESS = 0.01
 """Extra length of the back over the shoulder blades, as a part of the waist line; with more, the nape
 stands off."""
@@ -156,7 +158,8 @@ def lay_loose_bodice(table: CuttingTable, figure: Figure, shape: LooseBodice) ->
     for side, half in (("f", chest.front), ("b", chest.back)):
         front = side == "f"
         hem_x = half + widening + (-behind if front else behind)
-        drop = LOOSE_HEM_BALANCE * figure.front_fullness if front else 0.0
+        balance = LOOSE_HEM_BALANCE if shape.length > _CROPPED_CM else 1.0
+        drop = balance * figure.front_fullness if front else 0.0
         start = max(shape.front_opening, 0.0) if front else 0.0
         curved = shape.side_rise > 0.0
         hem_end = min(hem_y + rise + shape.side_rise, under_y - SIDE_MINIMUM) if curved else hem_y + rise

@@ -170,6 +170,8 @@ APRON_HEMS: Mapping[str, float] = {
 """Lengths of aprons that end there, cm below the waist."""
 STANDING = ("collar", "standing")
 """The option of a collar that stands."""
+HOODED = ("collar", "hood")
+"""The option of a hood instead of one."""
 ROLLED = ("collar", "rolled")
 """The option of one that is turned down over itself."""
 STRAP_WIDTH = "strap_width"
@@ -269,8 +271,10 @@ _COLLARS_SHOW: Mapping[str, tuple[str, ...]] = {
     "folded": ("flat_collar", "shirt_collar"),
     "flat": ("flat_collar",),
     "sailor": ("flat_collar", "shirt_collar"),
+    "revers": ("shirt_collar",),
     "standing": (),
     "rolled": (),
+    "hood": (),
 }
 """What a collar shows in place of the one that a draft has by itself."""
 _HALTER = (

@@ -14,17 +14,20 @@ from swifttailor.pattern.drafts.fold_collar import (
     lay_fold_collar,
     sew_fold_collar,
 )
+from swifttailor.pattern.drafts.hood import Hood, lay_hood, sew_hood
+from swifttailor.pattern.drafts.lapel_collar import LapelCollar
 from swifttailor.pattern.drafts.neckline import Neckline
 from swifttailor.pattern.drafts.options import Option
 from swifttailor.pattern.drafts.stand_collar import lay_stand_collar, sew_collar
 from swifttailor.pattern.drafts.turned_collar import TurnedCollar, lay_turned_collar, sew_turned_collar
 
-SewnCollarShape = Literal["shirt", "folded", "flat", "sailor", "standing", "rolled"]
+SewnCollarShape = Literal["shirt", "folded", "flat", "sailor", "standing", "rolled", "revers", "hood"]
 CollarShape = Literal["none", SewnCollarShape]
 _SHAPES = (
     "shirt: a stand on a close neck, turned down over itself; folded: flat over a V neck 7 to 16 cm deep; "
     "flat: with rounded ends on a close neck; sailor: from the point of a V to a square on the back; "
-    "standing: on a close neck; rolled: the same, turned down over itself."
+    "standing: on a close neck; rolled: the same, turned down over itself; revers: small lapels on a V neck "
+    "16 to 20 cm deep; hood: a hood instead."
 )
 CollarOption = Annotated[CollarShape, Option(f"Collar. {_SHAPES}")]
 SewnCollarOption = Annotated[SewnCollarShape, Option(f"Collar. {_SHAPES}")]
@@ -34,6 +37,10 @@ _CLOSE, _BEHIND = 1.0, 1.5
 _FOLDED_DEPTH = 7.0, 16.0
 _STANDING_WIDENING, _STANDING_DEPTH = 0.0, 6.0
 _FLAT_DEPTH = 8.0
+_REVERS_DEPTH, _REVERS_CM = (16.0, 20.0), 6.5
+"""Fall of the V of a collar with small lapels, at least and at most, and their width, cm."""
+_HOOD_WIDENING, _HOOD_DEPTH = 2.0, 10.0
+_HOOD = Hood(6.0, 5.0)
 _SAILOR_DEPTH, _SAILOR_WIDTH = (14.0, 18.0), 10.5
 """Fall of the V of a sailor collar, at least and at most, and how wide that is on the shoulder, cm."""
 _STAND_CM, _FALL_OVER_WIDTH = 2.5, 0.85
@@ -63,6 +70,12 @@ class NeckCollar:
         if self.shape == "sailor":
             low, high = _SAILOR_DEPTH
             return Neckline("v", min(asked.widening, _CLOSE), min(max(asked.front_depth, low), high), _BEHIND)
+        if self.shape == "revers":
+            low, high = _REVERS_DEPTH
+            depth = min(max(asked.front_depth, low), high)
+            return Neckline("v", min(asked.widening, _STANDING_WIDENING), depth, _BEHIND)
+        if self.shape == "hood":
+            return Neckline("round", _HOOD_WIDENING, _HOOD_DEPTH, _BEHIND)
         if self.shape == "flat":
             return Neckline("round", min(asked.widening, _CLOSE), _FLAT_DEPTH, _BEHIND)
         if self.shape == "rolled":
@@ -83,12 +96,28 @@ class NeckCollar:
             lay_turned_collar(table, figure, rolled)
         elif self.shape == "standing":
             lay_stand_collar(table, figure, self.height)
+        elif self.shape == "hood":
+            lay_hood(table, figure, _HOOD)
+        elif self.shape == "revers":
+            self._revers.lay(table, figure)
+
+    @property
+    def _revers(self) -> LapelCollar:
+        return LapelCollar(min(self.width, 5.0), "notched", _REVERS_CM)
 
     def sew(self, table: CuttingTable) -> None:
         """Joins its halves, after `CuttingTable.mirror`."""
         if self.shape in _FOLDED:
             sew_fold_collar(table)
+        elif self.shape == "hood":
+            sew_hood(table)
+        elif self.shape == "revers":
+            self._revers.sew(table)
         elif self.shape != "none":
             sew_collar(table)
         if self.shape in ("shirt", "rolled"):
             sew_turned_collar(table, joined=self.shape == "rolled")
+
+
+NO_COLLAR = NeckCollar("none", 0.0, 0.0)
+"""Of a garment that has none."""

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure
 from swifttailor.pattern.drafts.outline import Outline
@@ -35,9 +37,10 @@ def lay_stand_collar(table: CuttingTable, figure: Figure, height: float) -> None
     """
     quarters = [table.length(f"{torso}.neck") for torso in ("left_ftorso", "left_btorso")]
     closer = lean(height, min(quarters))
+    upright = math.sqrt(height**2 - closer**2)  # the slanting ends are as long as it is high
     for face, torso, long in zip(("front", "back"), ("left_ftorso", "left_btorso"), quarters, strict=True):
         outline = Outline(0.0, 0.0).line("neck", long, 0.0)
-        outline.line("end", long - closer, height).line("top", 0.0, height)
+        outline.line("end", long - closer, upright).line("top", 0.0, upright)
         outline.line("centre", 0.0, 0.0)
         table.lay(
             f"left_collar_{face}",

@@ -171,8 +171,8 @@ def double_breasted(chalk: Chalk, name: str) -> list[Trim]:
     pieces = chalk.line(name, left.panel, edge)
     pairs = []
     spacing, radius = _COAT_SPACING * chalk.size, _COAT_BUTTON * chalk.size
-    many = math.ceil(chalk.pattern.button_count / 2) or max(round((top - low) / spacing), 1) + 1
     bottom = max(low + 3, min(_above_belt(chalk), top - _SHORTEST))
+    many = math.ceil(chalk.pattern.button_count / 2) or max(round((top - bottom) / spacing), 1) + 1
     heights, radius = _row(bottom, top - 2, spacing, radius, many)
     for y in heights:
         pair = [

@@ -17,7 +17,7 @@ from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure
 from swifttailor.pattern.drafts.hood import Hood, lay_hood, sew_hood
 from swifttailor.pattern.drafts.measurements import Measurements
-from swifttailor.pattern.drafts.neck_collar import CollarHeight, CollarOption, NeckCollar
+from swifttailor.pattern.drafts.neck_collar import NO_COLLAR, CollarHeight, CollarOption, NeckCollar
 from swifttailor.pattern.drafts.neckline import Neckline
 from swifttailor.pattern.drafts.options import Option
 from swifttailor.pattern.drafts.shaped_sleeve import (
@@ -187,12 +187,14 @@ class PonchoOptions:
     neck_widening: declared.NeckWidening = 2.0
     neck_depth: LongNeckDepth = 10.0
     sleeve_length: declared.SleeveLength = 42.0
+    hood: Annotated[bool, Option("Sew a hood to a close neck.")] = False
 
 
 def draft_poncho(options: PonchoOptions, measurements: Measurements) -> Pattern:
     """Drafts the poncho for a body: body and arms under one width of cloth, which hangs from them."""
+    collar = NeckCollar("hood" if options.hood else "none", 0.0, 0.0)
     bodice = LooseBodice(
-        Neckline(options.neckline, options.neck_widening, options.neck_depth, 2.0),
+        collar.neckline(Neckline(options.neckline, options.neck_widening, options.neck_depth, 2.0)),
         options.chest_ease,
         options.length,
         _UNDER_PONCHO,
@@ -201,7 +203,8 @@ def draft_poncho(options: PonchoOptions, measurements: Measurements) -> Pattern:
         shoulder_extension=6.0,
     )
     figure, table = Figure.of(measurements), CuttingTable("poncho")
-    return _with_sleeves(table, figure, bodice, Sleeve(options.sleeve_length, 50.0, 78.0, 0.01))
+    sleeve = Sleeve(options.sleeve_length, 50.0, 78.0, 0.01)
+    return _with_sleeves(table, figure, bodice, sleeve, collar=collar)
 
 
 @dataclass(frozen=True)
@@ -300,13 +303,20 @@ def _from_the_shoulders(
 
 
 def _with_sleeves(
-    table: CuttingTable, figure: Figure, bodice: LooseBodice, sleeve: Sleeve, shape: SleeveShape = "plain"
+    table: CuttingTable,
+    figure: Figure,
+    bodice: LooseBodice,
+    sleeve: Sleeve,
+    shape: SleeveShape = "plain",
+    collar: NeckCollar = NO_COLLAR,
 ) -> Pattern:
-    """Lays a loose bodice with sleeves, and sews everything."""
+    """Lays a loose bodice with sleeves and perhaps a collar, and sews everything."""
     lay_loose_bodice(table, figure, bodice)
+    collar.lay(table, figure)
     sleeve = replace(sleeve, shoulder_extension=max(bodice.shoulder_extension, 0.0))
     lay_shaped_sleeve(table, figure, shape, sleeve)
     table.mirror()
     overlap_fronts(table, bodice.front_opening)
     sew_centres(table)
+    collar.sew(table)
     return table.finish()
