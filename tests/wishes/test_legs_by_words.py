@@ -76,3 +76,21 @@ def test_not_too_long_ends_above_the_foot(reader):
 def test_legs_of_names(text, name, option, least, reader):
     first = hear_description(text, reader).drafts[0]
     assert first.name == name and float(dict(first.options)[option]) >= least
+
+
+@pytest.mark.parametrize(
+    ("text", "name", "option", "low", "high"),
+    [
+        ("skirt, short at front long behind", "circle-skirt", "hem_dip", 25.0, 40.0),
+        ("asymmetric skirt longer at the back", "circle-skirt", "hem_dip", 25.0, 40.0),
+        ("dress with a scalloped hem", "skater-dress", "scallop_width", 8.0, 12.0),
+        ("hobble skirt", "fitted-skirt", "flare", -6.0, -4.0),
+        ("skirt narrow, narrower still at the bottom", "fitted-skirt", "flare", -6.0, -4.0),
+        ("half slip", "circle-skirt", "fraction", 0.3, 0.4),
+        ("mini skirt but not too short", "circle-skirt", "length", 48.0, 54.0),
+        ("playsuit with very short legs", "jumpsuit", "length", 36.0, 40.0),
+    ],
+)
+def test_skirts_and_short_legs(text, name, option, low, high, reader):
+    first = hear_description(text, reader).drafts[0]
+    assert first.name == name and low <= float(dict(first.options)[option]) <= high

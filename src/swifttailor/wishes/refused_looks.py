@@ -28,6 +28,19 @@ _LOW_BACKS = frozenset({Claim("back_depth", "low"), Claim("back_depth", "open")}
 """What a swimsuit on straps has, and one cut like a bodysuit has not."""
 
 
+_MINI = Claim("skirt_hem", "mini")
+_SKIRT_LENGTHS: Mapping[str, str] = {
+    "circle-skirt": "length",
+    "fitted-skirt": "length",
+    "gathered-skirt": "length",
+    "skater-dress": "skirt_length",
+    "fitted-dress": "skirt_length",
+}
+"""Drafts with skirts, and their option of the length."""
+_SHORT_CM = 51.0
+"""Of skirts that are to be short, but not too short: they end above the knee."""
+
+
 def as_not_refused(draft: NamedDraft, never: Collection[Claim]) -> NamedDraft:
     """A draft with the options that keep it from being what is refused, where it has such options.
 
@@ -37,6 +50,8 @@ def as_not_refused(draft: NamedDraft, never: Collection[Claim]) -> NamedDraft:
     """
     if draft.name == _SWIMSUIT and not _LOW_BACKS.isdisjoint(never):
         draft = NamedDraft("bodysuit", (("stretch", 8.0), ("sleeves", False), ("neck_depth", 14.0)))
+    if _MINI in never and draft.name in _SKIRT_LENGTHS:
+        draft = _no_mini(draft)
     wanted = {name: value for claim in never for name, value in _INSTEAD.get(claim, {}).items()}
     if not wanted:
         return draft
@@ -53,3 +68,11 @@ def as_not_refused(draft: NamedDraft, never: Collection[Claim]) -> NamedDraft:
                 )
             )
     return replace(draft, options=(*draft.options, *more)) if more else draft
+
+
+def _no_mini(draft: NamedDraft) -> NamedDraft:
+    """A short skirt, a little longer: "a mini skirt, but not too short"."""
+    options, name = dict(draft.options), _SKIRT_LENGTHS[draft.name]
+    if not 0.0 < float(options.get(name, 0.0)) < _SHORT_CM:
+        return draft
+    return replace(draft, options=tuple({**options, name: _SHORT_CM}.items()))

@@ -26,10 +26,7 @@ def _count(pattern, panel):
 def test_dips_lower_the_back_alone(name, length, fraction, dip):
     level = draft(name, **{length: 45.0, fraction: 0.5})
     dipped = draft(name, **{length: 45.0, fraction: 0.5, "hem_dip": dip})
-    front, back = (
-        middle(dipped, panel) - middle(level, panel)
-        for panel in ("skirt_front", "skirt_back")
-    )
+    front, back = (middle(dipped, panel) - middle(level, panel) for panel in ("skirt_front", "skirt_back"))
     assert front == pytest.approx(0.0, abs=0.5) and back == pytest.approx(dip, abs=0.5)
     hem = measure_facts(dipped).hem
     assert hem is not None and hem.front - hem.back > 0.6 * dip
