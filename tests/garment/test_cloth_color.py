@@ -11,6 +11,7 @@ from swifttailor.garment.cloth_print import ClothPrint
 from swifttailor.garment.cloth_surfaces import cloth_surface, cloth_surfaces
 from swifttailor.garment.glb import glb_bytes
 from swifttailor.garment.triangle_mesh import mesh_of_garment
+from swifttailor.garment.trim_colors import is_dark
 from swifttailor.render.color import BACKGROUND, BODY, to_linear
 
 DRAFTS = ("circle-skirt", "fitted-dress", "gathered-skirt", "hoodie", "jumpsuit", "shirt-dress", "trousers")
@@ -66,3 +67,8 @@ def test_what_is_woven_is_seen_on_both_sides(tube):
     dots = ClothPrint("dots", ("#ffffff", "#202020"), {})
     (only,) = cloth_surfaces(replace(tube, print=dots))
     assert only.surface.back_color is not None
+
+
+def test_seams_are_lighter_on_cloth_that_is_nearly_black_and_not_on_strong_colours():
+    assert is_dark(to_linear("#17171a")) and is_dark(to_linear("#1f2a44"))
+    assert not is_dark(to_linear("#6d1a2d")) and not is_dark(to_linear("#ffffff"))

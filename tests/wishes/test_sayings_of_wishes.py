@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -10,7 +12,7 @@ from swifttailor.describing.claims import Claim
 from swifttailor.describing.differences import Gain
 from swifttailor.wishes.hearing import hear_description
 from swifttailor.wishes.reader import WishReader
-from swifttailor.wishes.sayings_of_wishes import plainly_wished
+from swifttailor.wishes.sayings_of_wishes import plainly_wished, without_asides
 
 
 @pytest.fixture(scope="module")
@@ -124,3 +126,23 @@ def test_any_text_can_be_put_plainly(text):
 @pytest.mark.parametrize("text", ["a red dress to the knee", "trousers with a high waist", "one sleeve"])
 def test_what_is_plain_stays_as_it_is(text):
     assert plainly_wished(text) == text
+
+
+@pytest.mark.parametrize(
+    ("text", "plain"),
+    [
+        ("mini skirt, but not too short", "mini skirt"),
+        ("top with sleeves past elbow", "top with three quarter sleeves"),
+        ("a jumper with one sleeve left off on purpose", "a jumper right sleeve only"),
+        ("sweater with extra long arms", "sweater with extra long sleeves"),
+        ("gown, neckline down to THERE", "gown, plunging v neckline"),
+        ("oversized band t i can sleep in", "oversized longline t-shirt"),
+    ],
+)
+def test_what_people_say_of_lengths_and_sleeves_is_put_plainly(text, plain):
+    assert plainly_wished(without_asides(text)) == plain
+
+
+@pytest.mark.parametrize("text", ["2 m of linen", "polo-neck, 300 pcs", "jeans with a rope round the middle"])
+def test_amounts_of_cloth_and_pieces_are_no_measures(text):
+    assert not re.search(r"\d|rope", plainly_wished(without_asides(text)))

@@ -10,7 +10,7 @@ import numpy as np
 from swifttailor.arrays import Array
 from swifttailor.garment.cloth_color import cloth_color
 from swifttailor.garment.cloth_print import cloth_at
-from swifttailor.garment.trim_colors import DARK, DARKEST
+from swifttailor.garment.trim_colors import DARKEST, is_dark
 from swifttailor.pattern.centre_seams import needless_centre_seams
 from swifttailor.render.color import GREY, Color, to_linear
 from swifttailor.render.surface import LineSet, Surface
@@ -21,8 +21,8 @@ if TYPE_CHECKING:
     from swifttailor.garment.part_looks import PanelLook
     from swifttailor.render.prints import KnownPrint
 
-_SHEEN = {"silk": 0.22, "denim": 0.06, "twill": 0.08, "leather": 0.16, "polyester": 0.16, "swimwear": 0.16}
-_GLOSS = {"silk": 0.08, "leather": 0.10, "polyester": 0.04, "swimwear": 0.05}
+_SHEEN = {"silk": 0.28, "denim": 0.06, "twill": 0.08, "leather": 0.16, "polyester": 0.16, "swimwear": 0.16}
+_GLOSS = {"silk": 0.15, "leather": 0.10, "polyester": 0.04, "swimwear": 0.05}
 """Of cloths that shine otherwise than cotton does."""
 _WOVEN, _REPEATS_CM = ("stripes", "checks", "plaid"), 48.0
 """Prints that go through to the wrong side, and a width over which they repeat."""
@@ -68,8 +68,8 @@ def cloth_surface(
     if tint_panels:
         right = base * _tints(garment)[garment.mesh.face_panel][:, None]
     printed = garment.print if color is None else None
-    inside, grey = _inside(base, printed)
-    dark = np.full(len(garment.pattern.panels), grey < DARK)
+    inside, is_black = _inside(base, printed)
+    dark = np.full(len(garment.pattern.panels), is_black)
     drawn = _lines(garment, dark, seen_on_dark) if lines else ()
     return _surface(garment, garment.faces, right, inside, drawn, printed, None)
 
@@ -92,7 +92,7 @@ def cloth_surfaces(garment: Garment, color: Color | None = None) -> list[SeenClo
     prints = [_print_of(garment, look, look.color or own) for look in looks]
     kinds = [(printed, look.opacity, look.lace) for printed, look in zip(prints, looks, strict=True)]
     insides = [_inside(*pair) for pair in zip(base, prints, strict=True)]
-    wrong, dark = np.array([inside for inside, _ in insides]), np.array([grey < DARK for _, grey in insides])
+    wrong, dark = np.array([inside for inside, _ in insides]), np.array([is_black for _, is_black in insides])
     right = base * _tints(garment)[:, None]
     order = [k for k, kind in enumerate(kinds) if kinds.index(kind) == k]
     found = []
@@ -145,12 +145,12 @@ def _tints(garment: Garment) -> Array:
     return 0.97 + 0.06 * ((np.arange(len(garment.pattern.panels)) * 0.618034) % 1.0)
 
 
-def _inside(base: Array, printed: ClothPrint | None) -> tuple[Array, float]:
-    """The wrong side (3,) of cloth of a colour (3,) or print, linear light; and how light the cloth is."""
+def _inside(base: Array, printed: ClothPrint | None) -> tuple[Array, bool]:
+    """The wrong side (3,) of cloth of a colour (3,) or print, linear light; and whether seams are lighter."""
     if printed is not None:
         base = np.maximum(_wrong_side(printed), DARKEST)
     grey = float(base @ GREY)
-    return 0.78 * (0.75 * base + 0.25 * grey) + 0.002, grey
+    return 0.78 * (0.75 * base + 0.25 * grey) + 0.002, is_dark(base)
 
 
 def _lines(

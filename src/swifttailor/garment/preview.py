@@ -12,9 +12,9 @@ from swifttailor.body.mannequin import mannequin
 from swifttailor.compiled_loop import CompiledLoop
 from swifttailor.garment.cloth_surfaces import ON_DARK, cloth_surfaces
 from swifttailor.garment.sheer_figure import SheerFigure
-from swifttailor.garment.trim_colors import DARK, trim_color
+from swifttailor.garment.trim_colors import is_dark, trim_color
 from swifttailor.render.backdrop import wall
-from swifttailor.render.color import BACKGROUND, BODY, GREY, Color, encode_srgb, to_linear
+from swifttailor.render.color import BACKGROUND, BODY, Color, encode_srgb, to_linear
 from swifttailor.render.framing import frame_views
 from swifttailor.render.scene import Scene
 from swifttailor.render.surface import LineSet, Surface
@@ -44,7 +44,7 @@ def trim_surfaces(garment: Garment, color: Color | None = None) -> list[Surface]
     surfaces = []
     for mesh in trim_meshes(garment):
         look = trim_color(garment, mesh.look, color, trim=mesh.trim, panel=mesh.panel)
-        strength = ON_DARK if float(trim_color(garment, "cloth", color) @ GREY) < DARK else 0.5
+        strength = ON_DARK if is_dark(trim_color(garment, "cloth", color)) else 0.5
         lines = (LineSet(mesh.lines, strength=strength, width=1.1),) if len(mesh.lines) else ()
         own = not np.array_equal(look, trim_color(garment, mesh.look, color))
         printed = garment.print if color is None and mesh.cloth_at is not None and not own else None

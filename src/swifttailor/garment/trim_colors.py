@@ -17,6 +17,8 @@ if TYPE_CHECKING:
 
 DARK = 0.04
 """Cloth that throws back less light than this has lighter seams in previews."""
+_STRONG = 0.075
+"""Cloth of which red, green or blue is more has darker ones: lighter ones would be pink on burgundy."""
 DARKEST = 0.010
 """Least light, linear, that cloth of any colour throws back: folds of black cloth are seen."""
 _LOOKS_COLORED: Mapping[str, tuple[str, ...]] = {
@@ -43,6 +45,11 @@ _IN_ANOTHER: Mapping[str, tuple[str, str]] = {
 _LIGHT = 0.55
 """Linear light of cloth from which on it is light."""
 _LIGHT_BUTTON, _DARK_BUTTON = "#bdb6a8", "#6b5a49"
+
+
+def is_dark(color: Array) -> bool:
+    """Whether lines on cloth of a colour (3,), linear light, are lighter than it."""
+    return float(color @ GREY) < DARK and float(color.max()) < _STRONG
 
 
 def trim_color(

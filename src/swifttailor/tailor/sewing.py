@@ -27,6 +27,7 @@ from swifttailor.tailor.protocols import Sewer
 from swifttailor.tailor.tailored import Tailored
 from swifttailor.tailor.verdict import Verdict
 from swifttailor.tailor.worn_shoulders import SLIPS, slips_off
+from swifttailor.wishes.flecks import flecked
 from swifttailor.wishes.ribs import ribbed
 
 if TYPE_CHECKING:
@@ -312,6 +313,7 @@ def _handed_over(garment: Garment, answer: Answer, predicted: Any, body: Body | 
         answer = _seen_on(answer, garment, body)
         color = wanted.color or cloth_color(garment.pattern)
         woven = None if wanted.heard.ribs is None else ribbed(color, wanted.heard.ribs)
+        woven = flecked(color) if wanted.heard.is_flecked else woven
         looks = tuple([look for look in wanted.looks if has_part(garment.pattern, look.part)])
         garment = replace(garment, color=wanted.color, print=wanted.print or woven, looks=looks)
     return Tailored(

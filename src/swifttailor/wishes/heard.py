@@ -15,6 +15,7 @@ from swifttailor.wishes.button_counts import closed_as_counted
 from swifttailor.wishes.clinging_drafts import STRETCH, clinging_as_asked
 from swifttailor.wishes.drafts_as_asked import draft_as_asked
 from swifttailor.wishes.drafts_of_names import covers, draft_of_kind, draft_of_name
+from swifttailor.wishes.flecks import is_flecked
 from swifttailor.wishes.heard_looks import NO_LOOKS, HeardLooks, heard_looks
 from swifttailor.wishes.heard_print import asks_for_plain, heard_print
 from swifttailor.wishes.legs_by_words import ELASTIC, legs_as_said
@@ -108,6 +109,11 @@ class Heard:
     def ribs(self) -> tuple[float, float] | None:
         """Widths of the ribs of its cloth and between them, cm; None of cloth without, or with a print."""
         return None if self.words is None or self.print is not None else ribs(self.words)
+
+    @property
+    def is_flecked(self) -> bool:
+        """Whether its cloth has flecks, as tweed has, and no print."""
+        return self.words is not None and self.print is None and is_flecked(self.words)
 
     @property
     def plain(self) -> bool:

@@ -13,7 +13,7 @@ from swifttailor.wording.lexicon import NamedColor, SaidLook
 _LINED = frozenset({"lace", "tulle", "chiffon", "organza"})
 """Sheer cloths that whole garments of some kinds are made of on a lining."""
 _LINED_KINDS = frozenset({"dress", "skirt", "trousers", "shorts", "jumpsuit", "playsuit"})
-_OF_NET = frozenset({"tulle", "net", "organza"})
+_OF_NET = frozenset({"tulle", "net", "organza", "chiffon"})
 """Cloths that skirts have several layers of."""
 _SKIRTED = frozenset({"dress", "skirt"})
 _LINED_BEFORE = "lined_"

@@ -1,0 +1,31 @@
+"""Tweed has flecks, and prints have the colours that go with their names."""
+
+from __future__ import annotations
+
+import pytest
+
+from swifttailor.wishes.flecks import flecked, is_flecked
+from swifttailor.wishes.heard_print import heard_print
+from swifttailor.wording import read_words
+
+
+def test_tweed_alone_is_flecked_and_keeps_its_colour_between_its_threads():
+    assert is_flecked(read_words("a Harris tweed jacket")) and not is_flecked(read_words("a wool jacket"))
+    assert not is_flecked(read_words("a jacket, no tweed"))
+    dark, light = flecked("#808080").colors
+    assert dark < "#808080" < light
+
+
+@pytest.mark.parametrize(
+    ("text", "colors"),
+    [
+        ("cherry print dress", ("#f6f1e6", "#b3202c")),
+        ("white dress with cherry print", ("#ffffff", "#b3202c")),
+        ("pinstripe trousers", ("#2a2f3a", "#7f8794")),
+        ("hi-vis vest", ("#d8ef1e", "#c8cbce")),
+        ("orange hi-vis vest", ("#d98244", "#c8cbce")),
+    ],
+)
+def test_prints_have_the_colours_of_their_names(text, colors):
+    found = heard_print(text, read_words(text))
+    assert found is not None and found.colors == colors
