@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
@@ -10,6 +9,15 @@ from swifttailor.pattern.drafts.cutting_table import CuttingTable, Piece
 from swifttailor.pattern.drafts.figure import Figure, Halves
 from swifttailor.pattern.drafts.neckline import Neckline, draw_neckline
 from swifttailor.pattern.drafts.outline import Outline, Point, Side
+from swifttailor.pattern.drafts.side_seam import (
+    OPEN_SHARE,
+    SHORTEST_SLIT,
+    SIDE_MINIMUM,
+    as_long,
+    draw_side,
+    runs_back,
+    side_length,
+)
 
 FRONT_Z = 30.0
 """Where front torso panels stand before draping, cm."""
@@ -29,8 +37,6 @@ BLADE_FULLNESS = 0.01
 stands off."""
 SHORT_CM = 12.0
 """Shaped tops that end less far below the waist have no room to widen again."""
-SIDE_MINIMUM = 4.0
-"""Shortest side seam and shortest centre, cm."""
 POINT_X = 5.0
 """Distance of the point of a pointed front hem from the middle, cm."""
 OVER_SHARE = 0.35
@@ -43,16 +49,12 @@ _LEVEL_TO, _LEVEL_FROM = 0.55, 0.72
 """As parts of the way to the side, controls of a hem that is level in the middle and again at the side."""
 _PER_SHAPING = 2.0
 """Width around at the hem for each centimetre by which the sides are bent in."""
-_FURTHEST_BEHIND_CM, _HALVINGS = 3.0, 24
-"""So far back may the side seam run; and steps until front and back side are equally long."""
 _LEAST_CURVE = 6.0
 """Between bends of a side seam that follows the body, cm."""
 _FOLLOWING_EASE = 1.0
 """Room of such a torso at waist and hips, over the body as its cloth is cut for it, cm around."""
 _TO_THE_KNEE = 0.07
 """By which part of the hips' girth it is narrower at the knees, between which cloth lies together."""
-SHORTEST_SLIT, _OPEN_SHARE = 1.0, 0.8
-"""What would be open for less is closed, cm; the share of the centre that may be open."""
 
 
 @dataclass(frozen=True)
@@ -153,7 +155,7 @@ def lay_loose_bodice(table: CuttingTable, figure: Figure, shape: LooseBodice) ->
         slit = max(shape.length - shape.front_closed_to, 0.0) if shape.front_opening else 0.0
     behind = 0.0
     if shape.length > 0 and not shape.follows:
-        behind = _behind(chest, body, widening, under_y - hem_y)
+        behind = runs_back(chest, body, widening, under_y - hem_y)
     length = None
     for side, half in (("f", chest.front), ("b", chest.back)):
         front = side == "f"
@@ -167,9 +169,9 @@ def lay_loose_bodice(table: CuttingTable, figure: Figure, shape: LooseBodice) ->
         if shape.follows:
             length = None
         elif length is None:
-            length = _side_length(corner, underarm, shaping)
+            length = side_length(corner, underarm, shaping)
         else:
-            corner = _as_long(length, corner, underarm, shaping)
+            corner = as_long(length, corner, underarm, shaping)
         outline = Outline(start, hem_y - drop)
         if front and shape.front_point:
             outline.line("hem", POINT_X, hem_y - drop - shape.front_point)
@@ -184,7 +186,7 @@ def lay_loose_bodice(table: CuttingTable, figure: Figure, shape: LooseBodice) ->
         if shape.follows:
             _draw_side_along(outline, figure, shape, underarm, chest.girth / 4)
         else:
-            _draw_side(outline, underarm, shaping, shape.side_slits)
+            draw_side(outline, underarm, shaping, shape.side_slits)
         scoop = 0.72 if front else 0.5
         shoulder = (neck_x, tip_x)
         lay_torso_half(
@@ -199,61 +201,6 @@ def lay_loose_bodice(table: CuttingTable, figure: Figure, shape: LooseBodice) ->
             slit=slit if front else 0.0,
         )
     sew_torso(table)
-
-
-def _behind(chest: Halves, body: Halves, widening: float, side: float) -> float:
-    """How far the side seam runs back down to the hem, cm, so that front and back have equal room there.
-
-    More of the girth lies in front at the bust and behind at the hips: a back as narrow there as at the chest
-    is held up by the seat, and its cloth gathers above.
-
-    Args:
-        chest: Half widths at the underarm.
-        body: Half widths of the body at the hem.
-        widening: How much wider each half is at the hem than at the underarm.
-        side: Height of the side seam, cm; of a short one that slants much, both sides could not be as long.
-    """
-    room = (chest.front - body.front) - (chest.back - body.back)
-    furthest = min(_FURTHEST_BEHIND_CM, side**2 / (8 * max(abs(widening), 1.0)))
-    return min(max(room / 2, 0.0), furthest)
-
-
-def _side(corner: Point, underarm: Point, shaping: float) -> Outline:
-    """The side seam alone, up from the hem, bent inward by `shaping` cm."""
-    outline = Outline(*corner)
-    _draw_side(outline, underarm, shaping, 0.0)
-    return outline
-
-
-def _side_length(corner: Point, underarm: Point, shaping: float) -> float:
-    """Length of the side seam, cm."""
-    return sum(side.length for side in _side(corner, underarm, shaping).sides)
-
-
-def _as_long(length: float, corner: Point, underarm: Point, shaping: float) -> Point:
-    """The corner at the hem, moved up or down until the side seam has a length, cm."""
-    x, y = corner
-    low, high = y - length, underarm[1] - 0.5 * SIDE_MINIMUM
-    for _ in range(_HALVINGS):
-        y = (low + high) / 2
-        low, high = (y, high) if _side_length((x, y), underarm, shaping) > length else (low, y)
-    return x, y
-
-
-def _draw_side(outline: Outline, underarm: Point, shaping: float, slit: float) -> None:
-    """Draws the side seam up to the underarm, bent inward by `shaping` cm."""
-    x, y = outline.at
-    if not shaping:
-        share = min(slit / math.dist((x, y), underarm), _OPEN_SHARE)
-        if slit >= SHORTEST_SLIT:
-            outline.line("slit", x + share * (underarm[0] - x), y + share * (underarm[1] - y))
-        outline.line("side", *underarm)
-        return
-    reach = shaping / 0.75  # a symmetric cubic reaches three quarters of the way to its control points
-    fall = underarm[1] - y
-    outline.cubic(
-        "side", (x - reach, y + 0.4 * fall), (underarm[0] - reach, underarm[1] - 0.4 * fall), underarm
-    )
 
 
 def follows_body(stretch: float, waist_shaping: float, armhole: str = "set-in") -> bool:
@@ -327,7 +274,7 @@ def lay_torso_half(
     low = outline.sides[0].start
     depth = max(min(depth, neck[1] - low[1] - SIDE_MINIMUM), 0.5)
     draw_neckline(outline, neck, depth, figure.slope, neckline.shape if front else "round")
-    slit = min(slit, _OPEN_SHARE * (outline.sides[-1].end[1] - low[1]))
+    slit = min(slit, OPEN_SHARE * (outline.sides[-1].end[1] - low[1]))
     if slit >= SHORTEST_SLIT:
         outline.line("centre", outline.sides[-1].end[0], low[1] + slit).line("slit", *low)
     else:
