@@ -33,6 +33,17 @@ SLITS = [Claim("slit", "left"), Claim("slit", "right")]
     [
         ("shirt", [], "shirt"),
         ("shirt", [STAND], "shirt(collar=standing)"),
+        ("polo-shirt", [STAND], "polo-shirt(collar=standing)"),
+        ("shirt", [Claim("sleeves", "short")], "shirt(sleeve_length=22;sleeve_end=34;cuffs=false)"),
+        ("sweatshirt(length=20)", [LAPEL], "polo-shirt(length=20;sleeve_length=58;sleeve_end=23)"),
+        ("swing-dress", [LAPEL], "swing-dress(collar=folded)"),
+        ("swing-dress", [Claim("hood", "hood")], "swing-dress(collar=hood)"),
+        ("poncho", [Claim("hood", "hood")], "poncho(hood=true)"),
+        (
+            "skater-dress(skirt_length=50)",
+            [Claim("hood", "hood")],
+            "shirt-dress(skirt_length=50;collar=hood;cuffs=false;sleeves=false)",
+        ),
         ("shirt", [Claim("neckline", "v")], None),
         ("shirt-dress(collar=folded;cuffs=false)", [STAND], "shirt-dress(cuffs=false;collar=standing)"),
         ("fitted-dress(collar=standing)", [Claim("neckline", "square")], None),
@@ -59,7 +70,7 @@ SLITS = [Claim("slit", "left"), Claim("slit", "right")]
         (
             "blazer(length=20)",
             [Claim("collar", "none")],
-            "cardigan(length=16;chest_ease=11;neck_depth=16;opening=-5;sleeve_end=27;closed_to=8)",
+            "cardigan(length=16;chest_ease=11;neck_depth=16;opening=1;sleeve_end=27;closed_to=8)",
         ),
         (
             "skater-dress",
@@ -108,8 +119,8 @@ SLITS = [Claim("slit", "left"), Claim("slit", "right")]
         ("joggers", [Claim("leg_cuffs", "none")], None),
         ("t-shirt(length=6)", [Claim("fit", "close")], "t-shirt(length=6;chest_ease=3;waist_shaping=3)"),
         ("t-shirt(length=6)", [Claim("sleeves", "none")], SLEEVELESS),
-        ("t-shirt(length=30)", [LAPEL], "shirt(length=30;collar=folded)"),
-        ("tank-top", [LAPEL, Claim("sleeves", "none")], "shirt(collar=folded;sleeves=false)"),
+        ("t-shirt(length=30)", [LAPEL], "shirt(length=30)"),
+        ("tank-top", [LAPEL, Claim("sleeves", "none")], "shirt(sleeves=false)"),
         ("t-shirt", [Claim("bodice", "flared")], "t-shirt(flare=28)"),
         ("skater-dress", [Claim("bodice", "flared")], TENT_DRESS),
         ("circle-skirt", SLITS[:1], "fitted-skirt(flare=6)"),

@@ -299,3 +299,20 @@ def test_reading_needs_no_network_and_loads_late():
         "heavy = {'onnxruntime', 'numba', 'torch', 'PIL'} & set(sys.modules); assert not heavy, heavy"
     )
     subprocess.run([sys.executable, "-c", code], check=True)
+
+
+@pytest.mark.parametrize(
+    ("text", "collar"),
+    [
+        ("a shirt with a collar", "lapel"),
+        ("a dress with a collar", "lapel"),
+        ("a coat with a collar", "lapel"),
+        ("a shirt with a high collar", "stand"),
+        ("a shirt with a mandarin collar", "stand"),
+        ("a bomber jacket with a ribbed collar", "stand"),
+        ("a grandad shirt with a white collar", "stand"),
+    ],
+)
+def test_a_plain_collar_is_the_one_that_a_garment_wears(text, collar):
+    found = [i.claim.value for i in read_words(text).implications if i.claim.name == "collar"]
+    assert found == [collar]

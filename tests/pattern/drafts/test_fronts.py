@@ -185,9 +185,16 @@ def test_fronts_of_coats_overlap_or_part(name):
         assert (right[1][0] > 0.0) != parts, "the right one lies over the left one"
 
 
+@pytest.mark.parametrize("name", ["blazer", "coat", "hooded-coat", "cardigan"])
+def test_fronts_meet_below_the_last_button(name):
+    pattern = draft(name)
+    right, left = (free_edge(pattern, f"{side}_ftorso") for side in ("right", "left"))
+    assert 0.0 < left[1][0] - right[1][0] < 3.0
+
+
 @pytest.mark.parametrize("name", ["wrap-skirt", "wrap-dress", "coat"])
 def test_the_upper_front_lies_on_the_lower_one(sewer, name):
-    prepared = sewer.prepare(draft(name))
+    prepared = sewer.prepare(draft(name, **({"opening": -16.0, "closed_to": 4.0} if name == "coat" else {})))
     (values,) = sewer.predict([prepared])
     garment = relaxed(sewer.decode(prepared, values))
     assert "not_relaxed" not in garment.report

@@ -203,6 +203,15 @@ def test_two_rows_lie_on_both_sides_of_the_middle(name, drafts):
     assert {b.panel for b in row} == {"left_ftorso", "right_ftorso"}
 
 
+def test_the_edge_of_a_double_breasted_front_runs_to_the_hem(drafts):
+    """And not to the last button alone, where it looks like a pocket."""
+    pattern = replace(drafts["coat"], trims=("double-breasted buttons",))
+    lines = [t for t in place_trims(pattern) if isinstance(t, Patch)]
+    lowest = min(seen(pattern, line)[:, 1].min() for line in lines)
+    hem = pattern.panel("left_ftorso").to_world(pattern.panel("left_ftorso").outline(0.1))[:, 1].min()
+    assert lowest - hem < 4.0
+
+
 def test_a_belt_is_at_the_waist(drafts):
     for name in ("fitted-dress", "coat", "jeans", "circle-skirt"):
         (belt,) = place_trims(replace(drafts[name], trims=("buckle belt",)))
