@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from itertools import pairwise
 
 from swifttailor.pattern.drafts.cutting_table import CuttingTable, Piece
 from swifttailor.pattern.drafts.figure import Figure, Halves
@@ -14,6 +13,8 @@ from swifttailor.pattern.drafts.side_seam import (
     SHORTEST_SLIT,
     SIDE_MINIMUM,
     as_long,
+    curve_as_long,
+    draw_curve,
     draw_side,
     runs_back,
     side_length,
@@ -53,6 +54,9 @@ _LEAST_CURVE = 6.0
 """Between bends of a side seam that follows the body, cm."""
 _FOLLOWING_EASE = 1.0
 """Room of such a torso at waist and hips, over the body as its cloth is cut for it, cm around."""
+_BELOW_HIPS_CM = 8.0
+"""What follows the body ends at least so far below the hips: tops do not, for their hems would climb up the
+seat, and cloth gather above it."""
 _TO_THE_KNEE = 0.07
 """By which part of the hips' girth it is narrower at the knees, between which cloth lies together."""
 
@@ -133,6 +137,7 @@ def lay_loose_bodice(table: CuttingTable, figure: Figure, shape: LooseBodice) ->
     """
     chest = figure.bust.eased(max(shape.chest_ease, 0.0))
     hem_y = figure.waist_y - shape.length
+    follows = shape.follows and hem_y < figure.hip_y - _BELOW_HIPS_CM
     under_y = max(figure.armpit_y - shape.armhole_drop, hem_y + SIDE_MINIMUM)
     body = figure.girth_below_waist(shape.length).eased(shape.hip_ease)
     widening = max(body.girth - chest.girth, 0.0) / 4 if shape.length > 0 else 0.0
@@ -140,12 +145,12 @@ def lay_loose_bodice(table: CuttingTable, figure: Figure, shape: LooseBodice) ->
     if shaping and shape.length < SHORT_CM:  # what ends at the waist narrows down to it
         widening = min(max((body.girth - chest.girth) / 4, -shaping), widening)
         shaping = 0.0
-    elif shaping and not shape.follows:  # bent sides are narrower above the hem, and the seat holds them up
+    elif shaping and not follows:  # bent sides are narrower above the hem, and the seat holds them up
         least = body.girth + _PER_SHAPING * shaping - chest.girth
         widening = max(widening, least / 4)
-    if shape.follows:
+    if follows:
         shaping = 0.0
-        widening = _half_at(figure, shape, hem_y) - chest.girth / 4
+        widening = _half_at(figure, shape, hem_y).girth / 4 - chest.girth / 4
     widening += shape.flare / 4
     rise = _hem_rise(max(widening, 0.0), under_y - hem_y, chest.girth / 4 + widening)
     tip_x = shoulder_tip_x(figure, shape.neckline, shape.shoulder_extension, chest)
@@ -153,10 +158,8 @@ def lay_loose_bodice(table: CuttingTable, figure: Figure, shape: LooseBodice) ->
     slit = shape.front_slit
     if shape.front_closed_to is not None:
         slit = max(shape.length - shape.front_closed_to, 0.0) if shape.front_opening else 0.0
-    behind = 0.0
-    if shape.length > 0 and not shape.follows:
-        behind = runs_back(chest, body, widening, under_y - hem_y)
-    length = None
+    behind = runs_back(chest, body, widening, under_y - hem_y) if shape.length > 0 else 0.0
+    length, followed = None, None
     for side, half in (("f", chest.front), ("b", chest.back)):
         front = side == "f"
         hem_x = half + widening + (-behind if front else behind)
@@ -166,8 +169,11 @@ def lay_loose_bodice(table: CuttingTable, figure: Figure, shape: LooseBodice) ->
         curved = shape.side_rise > 0.0
         hem_end = min(hem_y + rise + shape.side_rise, under_y - SIDE_MINIMUM) if curved else hem_y + rise
         corner, underarm = (hem_x, hem_end), (half, under_y)
-        if shape.follows:
-            length = None
+        along = None
+        if follows:
+            along = _along_body(figure, shape, corner, underarm, front=front)
+            along = along if followed is None else curve_as_long(followed, along)
+            followed, corner = along, along[0]
         elif length is None:
             length = side_length(corner, underarm, shaping)
         else:
@@ -183,8 +189,8 @@ def lay_loose_bodice(table: CuttingTable, figure: Figure, shape: LooseBodice) ->
             outline.quadratic("hem", (hem_x * 0.6, hem_y - drop), corner)
         else:
             outline.line("hem", *corner)
-        if shape.follows:
-            _draw_side_along(outline, figure, shape, underarm, chest.girth / 4)
+        if along is not None:
+            draw_curve(outline, along)
         else:
             draw_side(outline, underarm, shaping, shape.side_slits)
         scoop = 0.72 if front else 0.5
@@ -208,34 +214,38 @@ def follows_body(stretch: float, waist_shaping: float, armhole: str = "set-in") 
     return stretch > 0.0 and waist_shaping > 0.0 and armhole != "cut-in-one"
 
 
-def _half_at(figure: Figure, shape: LooseBodice, y: float) -> float:
-    """A quarter of the girth at height `y` of a torso that follows the body, cm."""
+def _half_at(figure: Figure, shape: LooseBodice, y: float) -> Halves:
+    """Half widths at height `y` of a torso that follows the body, cm: low down more of it lies behind."""
     above = min(max((y - figure.waist_y) / (figure.bust_y - figure.waist_y), 0.0), 1.0)
-    chest = figure.bust.eased(shape.chest_ease).girth / 4
-    body = figure.girth_below_waist(figure.waist_y - y).girth
-    body += above * (figure.bust.girth - figure.waist.girth)
+    chest = figure.bust.eased(shape.chest_ease)
+    below_waist = figure.girth_below_waist(figure.waist_y - y)
+    body = below_waist.girth + above * (figure.bust.girth - figure.waist.girth)
     below = min(max((figure.hip_y - y) / (figure.hip_y - figure.knee_y), 0.0), 1.0)
     body *= 1.0 - _TO_THE_KNEE * below
-    return max((body + _FOLLOWING_EASE) / 4, chest - shape.waist_shaping)
+    quarter = max((body + _FOLLOWING_EASE) / 4, chest.girth / 4 - shape.waist_shaping)
+    at_chest, at_body = (one.front - one.girth / 4 for one in (chest, below_waist))
+    forward = above * at_chest + (1.0 - above) * at_body
+    return Halves(quarter + forward, quarter - forward)
 
 
-def _draw_side_along(
-    outline: Outline, figure: Figure, shape: LooseBodice, underarm: Point, chest: float
-) -> None:
-    """Draws the side seam up to the underarm over hips and waist, where the hem lies below them."""
-    x, y = outline.sides[-1].end
-    shift = underarm[0] - chest  # a seam that is as long in front as behind leans alike
-    points = [(x, y)]
+def _along_body(
+    figure: Figure, shape: LooseBodice, hem: Point, underarm: Point, *, front: bool
+) -> list[Point]:
+    """Points of a side seam that follows the body, from the hem up, the underarm among them.
+
+    Args:
+        figure: The body.
+        shape: The torso.
+        hem: Where it begins.
+        underarm: Where it ends.
+        front: Of the front, or of the back.
+    """
+    points = [hem]
     for level in (figure.hip_y, figure.waist_y):
-        if y < level - _LEAST_CURVE and level < underarm[1] - _LEAST_CURVE:
-            points.append((_half_at(figure, shape, level) + shift, level))
-    for below, above in pairwise([*points, underarm]):
-        fall = above[1] - below[1]
-        if len(points) == 1:
-            outline.line("side", *above)
-        else:
-            bend = 0.35 * fall
-            outline.cubic("side", (below[0], below[1] + bend), (above[0], above[1] - bend), above)
+        if hem[1] < level - _LEAST_CURVE and level < underarm[1] - _LEAST_CURVE:
+            half = _half_at(figure, shape, level)
+            points.append((half.front if front else half.back, level))
+    return [*points, underarm]
 
 
 def lay_torso_half(

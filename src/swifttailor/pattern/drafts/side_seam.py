@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
+from itertools import pairwise
 
 from swifttailor.pattern.drafts.figure import Halves
 from swifttailor.pattern.drafts.outline import Outline, Point
@@ -11,6 +13,10 @@ SIDE_MINIMUM = 4.0
 """Shortest side seam and shortest centre, cm."""
 SHORTEST_SLIT, OPEN_SHARE = 1.0, 0.8
 """What would be open for less is closed, cm; the share of a seam that may be open."""
+_BEND = 0.35
+"""Controls of a curved seam's pieces as parts of their rise."""
+_BEND = 0.35
+"""Controls of a curved seam's pieces as parts of their rise."""
 _FURTHEST_BACK_CM, _HALVINGS = 3.0, 24
 """So far back may the seam run; and steps until front and back are equally long."""
 
@@ -68,3 +74,43 @@ def draw_side(outline: Outline, underarm: Point, shaping: float, slit: float) ->
     outline.cubic(
         "side", (x - reach, y + 0.4 * fall), (underarm[0] - reach, underarm[1] - 0.4 * fall), underarm
     )
+
+
+def draw_curve(outline: Outline, points: Sequence[Point]) -> None:
+    """Draws a side seam through points, from the hem up, upright at each; a single piece is straight."""
+    for below, above in pairwise(points):
+        _piece(outline, below, above, straight=len(points) == 2)
+
+
+def curve_as_long(other: Sequence[Point], points: Sequence[Point]) -> list[Point]:
+    """The points of one edge of a seam, moved up or down so that each piece is as long as the other edge's.
+
+    Args:
+        other: Points of the other edge, from the hem up.
+        points: As many, of which the last stays.
+    """
+    straight = len(points) == 2
+    found = [points[-1]]
+    for (low, high), (x, _) in zip(reversed(list(pairwise(other))), reversed(points[:-1]), strict=True):
+        length, top = _piece_length(low, high, straight), found[0]
+        down, up = top[1] - 2.0 * length, top[1] - 1e-3
+        for _ in range(_HALVINGS):
+            y = (down + up) / 2
+            longer = _piece_length((x, y), top, straight) > length
+            down, up = (y, up) if longer else (down, y)
+        found.insert(0, (x, (down + up) / 2))
+    return found
+
+
+def _piece_length(below: Point, above: Point, straight: bool) -> float:
+    outline = Outline(*below)
+    _piece(outline, below, above, straight=straight)
+    return outline.sides[0].length
+
+
+def _piece(outline: Outline, below: Point, above: Point, *, straight: bool) -> None:
+    if straight:
+        outline.line("side", *above)
+        return
+    bend = _BEND * (above[1] - below[1])
+    outline.cubic("side", (below[0], below[1] + bend), (above[0], above[1] - bend), above)
