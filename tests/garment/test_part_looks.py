@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from sewn_tube import tube_garment
 
+import swifttailor
 from swifttailor.body import Body
 from swifttailor.garment.cloth_surfaces import cloth_surfaces
 from swifttailor.garment.formats import read_garment_mesh
@@ -241,3 +242,9 @@ def test_what_is_put_on_has_its_own_colour_and_a_buckle_stays_metal(skirt):
     assert np.array_equal(trim_color(red, "button", trim="buttons"), trim_color(skirt, "button"))
     on_band, on_skirt = (trim_color(red, "cloth", panel=name) for name in ("wb_back", "skirt_front"))
     assert on_band.min() > 0.9 and np.array_equal(on_skirt, trim_color(skirt, "cloth"))
+
+
+def test_legs_and_halves_are_told_by_the_sides_of_their_panels():
+    trousers = swifttailor.draft("trousers")
+    assert set(panels_of(trousers, "left_leg")) == {"pant_f_l", "pant_b_l"}
+    assert set(panels_of(trousers, "right_half")) == {"pant_f_r", "pant_b_r"}

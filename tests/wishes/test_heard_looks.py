@@ -55,6 +55,14 @@ def test_a_dress_of_lace_is_lined_but_for_its_sleeves(reader):
         ("white varsity jacket", {PartLook("sleeves", "#1f2a44")}),
         ("varsity jacket with red sleeves", {PartLook("sleeves", "#ab252e")}),
         ("black net skirt, mini", {PartLook("all", "#000000", "net")}),
+        (
+            "trousers, one leg red, one leg green",
+            {PartLook("left_leg", "#ab252e"), PartLook("right_leg", "#40724f")},
+        ),
+        (
+            "tunic, half red, half white",
+            {PartLook("left_half", "#ab252e"), PartLook("right_half", "#ffffff")},
+        ),
     ],
 )
 def test_what_cloths_are_on_which_parts(text, expected, reader):

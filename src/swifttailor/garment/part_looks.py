@@ -41,9 +41,13 @@ _SKIRT = frozenset({Part.SKIRT, Part.GODET})
 _LEGS = frozenset({Part.TROUSER, Part.LEG_CUFF})
 _PARTS: Mapping[str, tuple[frozenset[Part], str]] = {
     "all": (frozenset(Part), ""),
+    "left_half": (frozenset(Part) - {Part.WAISTBAND}, r"(^|_)(left|l)(_|$)"),
+    "right_half": (frozenset(Part) - {Part.WAISTBAND}, r"(^|_)(right|r)(_|$)"),
     "bodice": (_UPPER, ""),
     "skirt": (_SKIRT, ""),
     "legs": (_LEGS, ""),
+    "left_leg": (_LEGS, r"(^|_)(left|l)(_|$)"),
+    "right_leg": (_LEGS, r"(^|_)(right|r)(_|$)"),
     "front": (frozenset({Part.TORSO}), r"_ftorso|front"),
     "back": (frozenset({Part.TORSO}), r"_btorso|back"),
     "tiers": (_SKIRT, r"^skirt_(front|back)_\d"),
