@@ -12,9 +12,11 @@ STRETCH, SHAPING = "stretch", "waist_shaping"
 """Key of ``cannot.txt`` and option of drafts; the option of how far side seams bend inward."""
 _STRETCH_CM, _SHAPING_CM = 10.0, 4.0
 """Per cent by which such cloth is cut smaller, and the bend of the sides at the waist, cm."""
+_OF_TOPS = 5.0, 3.0, 2.5
+"""The same of tops, and their room at the chest: with less they ride up, and lie in a roll above the seat."""
 _KNITTED = ("t-shirt", "tank-top", "turtleneck", "shift-dress")
 """Drafts without darts that follow the body where their cloth stretches."""
-_DRESSES = ("fitted-dress", "skater-dress")
+_DRESSES = ("skater-dress",)
 """Drafts with a waist seam and darts that knitted dresses do without."""
 _OF_DRESSES = (
     "neckline",
@@ -30,7 +32,7 @@ _OF_DRESSES = (
     "collar_height",
 )
 _SHORTEST_CM = 25.0
-_SKIRT_CM: Mapping[str, float] = {"fitted-dress": 60.0, "skater-dress": 50.0}
+_SKIRT_CM: Mapping[str, float] = {"skater-dress": 50.0}
 _CLOSE_SKIRTS = ("pencil", "straight", "narrowing")
 _WITH_WAIST = frozenset({"waist_seam", "slit", "tiers", "gores"})
 _CHEST_CM, _ARM_CM = 2.0, 4.0
@@ -64,9 +66,11 @@ def clinging_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
         draft = _without_waist(draft)
     options = dict(draft.options)
     if draft.name in _KNITTED:
-        options["stretch"] = max(_STRETCH_CM, float(options.get("stretch", 0.0)))
-        options["chest_ease"] = _CHEST_CM
-        options |= {SHAPING: _SHAPING_CM, "flare": 0.0}
+        stretch, room, shaping = (
+            (_STRETCH_CM, _CHEST_CM, _SHAPING_CM) if draft.name == "shift-dress" else _OF_TOPS
+        )
+        options[STRETCH] = max(stretch, float(options.get(STRETCH, 0.0)))
+        options |= {"chest_ease": room, SHAPING: shaping, "flare": 0.0}
         if draft.name != "tank-top":
             options |= _close_sleeves(draft.name, options)
         return replace(draft, options=tuple(options.items()))
