@@ -57,6 +57,7 @@ TRIMMED = {
     "tunic": ("shirt-dress", ("patch pockets", "slant pockets")),
     "dirndl": ("skater-dress", ("neck frill", "lacing", "apron", "hem frill")),
     "blouse": ("shirt", ("neck bow", "sleeve frills", "edging")),
+    "vest": ("tank-top", ("neck rib", "armhole ribs")),
     "slip": ("camisole", ("lace trim", "waist bow")),
     "flapper dress": ("drop-waist-dress", ("hem fringe", "neck cord")),
 }

@@ -42,6 +42,7 @@ _IN_ANOTHER: Mapping[str, tuple[str, str]] = {
     "lace trim": ("#f3efe6", "#c9bfae"),
 }
 """What is of another colour than the cloth, where none is told: on darker cloth, and on light cloth."""
+_RIBS = ("neck rib", "armhole ribs")
 _LIGHT = 0.55
 """Linear light of cloth from which on it is light."""
 _LIGHT_BUTTON, _DARK_BUTTON = "#bdb6a8", "#6b5a49"
@@ -77,7 +78,7 @@ def trim_color(
         pale, deep = _IN_ANOTHER[trim]
         return to_linear(pale if float(cloth @ GREY) < _LIGHT else deep)
     if look == "cloth":
-        return 0.94 * cloth
+        return (0.84 if trim in _RIBS else 0.94) * cloth
     if look == "dark":
         return (0.30 if float(cloth @ GREY) >= DARK else 2.2) * cloth
     if look == "button":

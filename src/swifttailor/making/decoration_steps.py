@@ -10,7 +10,11 @@ from swifttailor.pattern.trims import Frill
 
 _FULLNESS = 1.8
 """How many times as long as its edge a strip is that is gathered."""
+_RIB_SHARE = 0.85
+"""Length of a ribbed band over that of its edge."""
 _TITLES: Mapping[str, str] = {
+    "neck rib": "Ribbed band at the neck",
+    "armhole ribs": "Ribbed bands at the armholes",
     "neck frill": "Frill around the neck",
     "sleeve frills": "Frills at the sleeves",
     "hem frill": "Frill along the hem",
@@ -68,6 +72,12 @@ def _frill(plan: CuttingPlan, frill: Frill) -> str:
         return (
             f"Cut strips {frill.depth + 2:.0f} cm wide, {strip} cm in all. Hem one long edge, gather the "
             f"other to {length:.0f} cm, and sew it to the edge, right sides together."
+        )
+    if frill.trim in ("neck rib", "armhole ribs"):
+        return (
+            f"Cut strips of ribbed knit {2 * frill.depth + 2:.0f} cm wide, {_RIB_SHARE * length:.0f} cm "
+            f"in all. Close them to rings, fold them lengthwise, stretch them to {length:.0f} cm, and sew "
+            "them to the edge."
         )
     what = "fringe" if frill.kind == "threads" else "ribbon or braid" if frill.trim == "edging" else "lace"
     return f"Sew {length:.0f} cm of {what}, {frill.depth:.1f} cm wide, along the finished edges."

@@ -31,6 +31,7 @@ TRIMS_OF: Mapping[str, tuple[str, ...]] = {
     "lace": ("lace trim",),
     "frills": _FRILLS,
     "lacing": ("lacing",),
+    "rib_bands": ("neck rib", "armhole ribs"),
     "fringe": ("hem fringe",),
     "apron": ("apron",),
 }
@@ -51,6 +52,8 @@ _JACKETS = frozenset(
 """Drafts that are buttoned without a band."""
 _WRAPS = frozenset({"wrap-dress", "wrap-top", "robe"})
 _HOODED = frozenset({"hoodie", "hooded-coat"})
+_RIBS, _RIBBED = "rib_bands", frozenset({"t-shirt", "tank-top", "sweatshirt"})
+_KNITS = frozenset({"jersey", "rib-knit", "sweatshirt", "fleece"})
 _SAID_ALONE = frozenset({"lace", "braid"})
 """What is put on only where the text itself asks for it."""
 _LOWER = ("trousers", "shorts")
@@ -94,7 +97,17 @@ def trims_wanted(heard: Heard, draft: str = "", kind: str = "") -> tuple[TrimWis
             choices = (said or own, *[(name,) for name in alone], *choices)
         if choices:
             found.append(TrimWish(lack.what, lack.said, choices, bool(said)))
+    if draft in _RIBBED and not any(wish.what == _RIBS for wish in found) and _is_knitted(heard, draft):
+        found.append(TrimWish(_RIBS, False, (("neck rib", "armhole ribs"), ("neck rib",))))
     return tuple(found)
+
+
+def _is_knitted(heard: Heard, draft: str) -> bool:
+    """Whether a top is of a knit, whose edges are bound with ribbed bands, and has no frill or bow there."""
+    dressed = any(
+        name in _named(heard) for group in LIKE_EACH_OTHER if "neck frill" in group for name in group
+    )
+    return not dressed and (draft == "sweatshirt" or heard.cloth in _KNITS)
 
 
 def refused_trims(heard: Heard) -> frozenset[str]:

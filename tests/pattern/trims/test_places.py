@@ -50,6 +50,8 @@ SHOULD_HAVE = {
     "turn-ups": ("trousers", "jeans"),
     "drawstring": ("joggers", "pull-on-trousers"),
     "neck cord": ("hoodie", "sweatshirt"),
+    "neck rib": ("t-shirt", "sweatshirt", "tank-top"),
+    "armhole ribs": ("tank-top",),
     "neck frill": (*TOPS, "shirt-dress"),
     "sleeve frills": ("t-shirt", "shirt", "shirt-dress"),
     "hem frill": (*SKIRTS, *DRESSES, "t-shirt"),
@@ -87,7 +89,8 @@ def test_has_its_place_on_the_drafts_that_should_have_it(name, drafts):
         ("chest pocket", "bandeau"), ("drawstring", "shirt"), ("half zip", "fitted-skirt"),
         ("slant pockets", "pleated-skirt"), ("bib pocket", "trousers"), ("neck frill", "fitted-skirt"),
         ("sleeve frills", "tank-top"), ("hem frill", "jeans"), ("neck frill", "hoodie"), ("apron", "t-shirt"),
-        ("neck bow", "trousers"), ("lacing", "jeans"),
+        ("neck bow", "trousers"), ("lacing", "jeans"), ("neck rib", "turtleneck"),
+        ("armhole ribs", "t-shirt"),
     ],
 )  # fmt: skip
 def test_has_none_on_others(name, draft_name, drafts):

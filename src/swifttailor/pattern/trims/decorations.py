@@ -7,14 +7,14 @@ import itertools
 import numpy as np
 
 from swifttailor.pattern.trims.chalk import Chalk
-from swifttailor.pattern.trims.free_edges import hem_edges, neck_edges, sleeve_ends
+from swifttailor.pattern.trims.free_edges import armhole_edges, hem_edges, neck_edges, sleeve_ends
 from swifttailor.pattern.trims.front_view import front_edge
 from swifttailor.pattern.trims.shapes import Bow, Frill, Patch, Trim
 
 _NECK_FRILL, _SLEEVE_FRILL, _HEM_FRILL, _FRINGE = 4.0, 5.0, 8.0, 12.0
 """How far each goes beyond its edge, cm."""
-_EDGING, _LACE_TRIM = 1.3, 3.5
-"""How wide edging and lace are, cm."""
+_EDGING, _LACE_TRIM, _RIB = 1.3, 3.5, 2.0
+"""How wide edging, lace and ribbed bands are, cm."""
 _BOW, _BOW_TAIL = 15.0, 17.0
 _BELOW_NECK = 1.0
 """A bow's knot and the ends of a cord begin so far below the neck, cm."""
@@ -25,6 +25,20 @@ _CORD = 15.0
 _APRON_BESIDE, _APRON_ABOVE_HEM, _APRON_LEAST = 0.5, 0.14, 20.0
 """An apron's half width as a part of the skirt's, how far above the hem it ends as a part of its length,
 and the shortest skirt that has room for one, cm."""
+
+
+def neck_rib(chalk: Chalk, name: str) -> list[Trim]:
+    """A flat band around a neck that has no collar."""
+    edges = neck_edges(chalk.pattern)
+    if not edges or any("collar" in ref.panel for ref in edges):
+        return []
+    return [Frill(name, edges, _RIB * chalk.size, "flat")]
+
+
+def armhole_ribs(chalk: Chalk, name: str) -> list[Trim]:
+    """A flat band around each armhole without a sleeve."""
+    edges = armhole_edges(chalk.pattern)
+    return [Frill(name, edges, 0.8 * _RIB * chalk.size, "flat")] if edges else []
 
 
 def neck_frill(chalk: Chalk, name: str) -> list[Trim]:

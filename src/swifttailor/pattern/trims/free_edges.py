@@ -16,6 +16,8 @@ _LEVEL = 0.8
 """A hem runs aside at least so many times as far as it rises."""
 _HEM_CM, _PANELS_CM = 5.0, 30.0
 """A hem reaches so near to the lowest point of its panel, and that to the lowest of the garment, cm."""
+_ARMHOLE_CM, _BESIDE_CM, _SHOULDER_CM = 8.0, 4.0, 8.0
+"""An armhole rises at least so far, lies so far from the middle, ends so near to the top of its panel, cm."""
 _SHORTEST_CM = 1.0
 
 
@@ -32,6 +34,21 @@ def neck_edges(pattern: Pattern) -> tuple[EdgeRef, ...]:
         tops = {ref: points[:, 1].mean() for ref, points in found if "collar" in ref.panel}
         return tuple([ref for ref in collars if tops[ref] >= max(tops.values()) - 3.0])
     return tuple([ref for ref, points in found if _around_neck(pattern.panel(ref.panel), ref, points)])
+
+
+def armhole_edges(pattern: Pattern) -> tuple[EdgeRef, ...]:
+    """Free edges of fronts and backs around armholes without sleeves; none of a garment without shoulders."""
+    taken = {*neck_edges(pattern), *hem_edges(pattern)}
+    if not neck_edges(pattern):
+        return ()
+    found = []
+    for ref, points in _free(pattern):
+        rises = float(np.ptp(points[:, 1])) > _ARMHOLE_CM and float(np.abs(points[:, 0]).min()) > _BESIDE_CM
+        if "torso" in ref.panel and ref not in taken and rises:
+            outline = pattern.panel(ref.panel).to_world(pattern.panel(ref.panel).outline(0.5))
+            upper = float(points[:, 1].max()) >= float(outline[:, 1].max()) - _SHOULDER_CM
+            found += [ref] if upper else []
+    return tuple(found)
 
 
 def sleeve_ends(pattern: Pattern) -> tuple[EdgeRef, ...]:

@@ -33,6 +33,8 @@ TRIMS: Mapping[str, str] = {
     "turn-ups": "turned-up leg ends",
     "drawstring": "a drawstring at the waist",
     "neck cord": "a cord at the neck",
+    "neck rib": "a ribbed band around the neck",
+    "armhole ribs": "ribbed bands around the armholes",
     "neck frill": "a frill around the neck",
     "sleeve frills": "frills at the ends of the sleeves",
     "hem frill": "a frill along the hem",

@@ -35,6 +35,8 @@ _PLACES: Mapping[str, Callable[[Chalk, str], list[Trim]]] = {
     "turn-ups": belts.turn_ups,
     "drawstring": belts.drawstring,
     "neck cord": decorations.neck_cord,
+    "neck rib": decorations.neck_rib,
+    "armhole ribs": decorations.armhole_ribs,
     "neck frill": decorations.neck_frill,
     "sleeve frills": decorations.sleeve_frills,
     "hem frill": decorations.hem_frill,
