@@ -52,7 +52,7 @@ SHOULD_HAVE = {
     "neck cord": ("hoodie", "sweatshirt"),
     "neck rib": ("t-shirt", "sweatshirt", "tank-top"),
     "armhole ribs": ("tank-top",),
-    "neck frill": (*TOPS, "shirt-dress"),
+    "neck frill": (*[name for name in TOPS if name != "hoodie"], "shirt-dress"),
     "sleeve frills": ("t-shirt", "shirt", "shirt-dress"),
     "hem frill": (*SKIRTS, *DRESSES, "t-shirt"),
     "hem fringe": (*SKIRTS, *DRESSES, "denim-jacket"),

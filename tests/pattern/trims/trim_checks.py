@@ -14,7 +14,7 @@ ON_PANEL = 0.05
 """How far corners may lie beside their panel, cm."""
 IN_PAIRS = (
     "chest pockets", "patch pockets", "kangaroo pocket", "bib pocket", "side pockets", "slant pockets",
-    "back pockets", "cargo pockets", "drawstring", "double-breasted buttons",
+    "back pockets", "cargo pockets", "drawstring", "neck cord", "lacing", "double-breasted buttons",
 )  # fmt: skip
 
 
@@ -52,6 +52,8 @@ def assert_on_panels(pattern: Pattern, trims: tuple[Trim, ...]) -> None:
                 shapely.union_all([panel.buffer(ON_PANEL), *darts(pattern, trim.panel)])
             )
             assert beside.area < 0.01 * piece.area, f"{trim.trim} hangs over {trim.panel}"
+        elif isinstance(trim, Bow):
+            assert 4 < trim.width < 30 and 4 < trim.tail < 30
         else:
             assert 0.1 < trim.radius < 1.5
 

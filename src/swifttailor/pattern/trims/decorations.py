@@ -64,6 +64,7 @@ def edging(chalk: Chalk, name: str) -> list[Trim]:
     """A narrow strip along neck, hem and ends of sleeves; lace is wider, and not around a collar."""
     of_lace, pattern = name == "lace trim", chalk.pattern
     edges = (*neck_edges(pattern), *hem_edges(pattern), *(() if of_lace else sleeve_ends(pattern)))
+    edges = tuple(dict.fromkeys(edges))
     width = (_LACE_TRIM if of_lace else _EDGING) * chalk.size
     return [Frill(name, edges, width, "flat")] if edges else []
 

@@ -60,7 +60,7 @@ def hem_edges(pattern: Pattern) -> tuple[EdgeRef, ...]:
     """Free edges along the hem of a skirt, dress or top; none of trousers."""
     if any(panel.name.startswith("pant_") for panel in pattern.panels):
         return ()
-    below = [each for each in _free(pattern) if not _is_of_sleeve(each[0].panel)]
+    below = [each for each in _free(pattern) if not _is_above_the_hem(each[0].panel)]
     lowest = {ref: _lowest(pattern.panel(ref.panel)) for ref, _ in below}
     garment = min(lowest.values(), default=0.0)
     return tuple(
@@ -82,6 +82,11 @@ def _lowest(panel: Panel) -> float:
 def _is_of_sleeve(panel: str) -> bool:
     """Whether a panel is of a sleeve or its cuff; armholes are sewn, so its free edges are at the end."""
     return any(word in panel for word in _ARM_WORDS) and not panel.startswith("pant_")
+
+
+def _is_above_the_hem(panel: str) -> bool:
+    """Whether a panel is a sleeve's, a collar's or a hood's."""
+    return _is_of_sleeve(panel) or "collar" in panel or "hood" in panel
 
 
 def _is_level(points: Floats) -> bool:
