@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -13,8 +14,9 @@ from swifttailor.garment.cloth_print import flat_places
 from swifttailor.garment.trim_decorations import bow_meshes, frill_meshes
 from swifttailor.garment.trim_pieces import AROUND, TrimMesh, ball, front_of
 from swifttailor.garment.trunk_cloth import around_trunk
+from swifttailor.pattern.trims.names import COUNTED
 from swifttailor.pattern.trims.placing import place_trims
-from swifttailor.pattern.trims.shapes import Belt, Bow, Button, Frill, Patch
+from swifttailor.pattern.trims.shapes import Belt, Bow, Button, Frill, Patch, Trim
 
 if TYPE_CHECKING:
     from swifttailor.garment.garment import Garment
@@ -58,7 +60,7 @@ def trim_meshes(garment: Garment) -> list[TrimMesh]:
         return []
     found = []
     places = flat_places(garment)
-    for piece in place_trims(pattern):
+    for piece in _seen(place_trims(pattern)):
         if isinstance(piece, Belt):
             found += _belt(garment, piece)
         elif isinstance(piece, Button):
@@ -71,6 +73,13 @@ def trim_meshes(garment: Garment) -> list[TrimMesh]:
         else:
             found.append(_patch(garment, piece, places))
     return found
+
+
+def _seen(pieces: Sequence[Trim]) -> list[Trim]:
+    """Those that no apron lies over."""
+    under = {piece.panel for piece in pieces if isinstance(piece, Patch) and piece.trim == "apron"}
+    hidden = [p for p in pieces if isinstance(p, Button | Patch) and p.panel in under and p.trim in COUNTED]
+    return [piece for piece in pieces if piece not in hidden]
 
 
 def _patch(garment: Garment, patch: Patch, places: Array) -> TrimMesh:

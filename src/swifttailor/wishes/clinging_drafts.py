@@ -16,7 +16,7 @@ _OF_TOPS = 5.0, 3.0, 2.5
 """The same of tops, and their room at the chest: with less they ride up, and lie in a roll above the seat."""
 _KNITTED = ("t-shirt", "tank-top", "turtleneck", "shift-dress")
 """Drafts without darts that follow the body where their cloth stretches."""
-_DRESSES = ("skater-dress",)
+_DRESSES = ("fitted-dress", "skater-dress")
 """Drafts with a waist seam and darts that knitted dresses do without."""
 _OF_DRESSES = (
     "neckline",
@@ -32,7 +32,7 @@ _OF_DRESSES = (
     "collar_height",
 )
 _SHORTEST_CM = 25.0
-_SKIRT_CM: Mapping[str, float] = {"skater-dress": 50.0}
+_SKIRT_CM: Mapping[str, float] = {"fitted-dress": 60.0, "skater-dress": 50.0}
 _CLOSE_SKIRTS = ("pencil", "straight", "narrowing")
 _WITH_WAIST = frozenset({"waist_seam", "slit", "tiers", "gores"})
 _CHEST_CM, _ARM_CM = 2.0, 4.0

@@ -17,7 +17,7 @@ _BEND = 0.35
 """Controls of a curved seam's pieces as parts of their rise."""
 _BEND = 0.35
 """Controls of a curved seam's pieces as parts of their rise."""
-_FURTHEST_BACK_CM, _HALVINGS = 3.0, 24
+_FURTHEST_BACK_CM, _HALVINGS = 3.0, 40
 """So far back may the seam run; and steps until front and back are equally long."""
 
 

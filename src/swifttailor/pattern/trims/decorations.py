@@ -9,7 +9,7 @@ import numpy as np
 from swifttailor.pattern.trims.chalk import Chalk
 from swifttailor.pattern.trims.free_edges import armhole_edges, hem_edges, neck_edges, sleeve_ends
 from swifttailor.pattern.trims.front_view import front_edge
-from swifttailor.pattern.trims.shapes import Bow, Frill, Patch, Trim
+from swifttailor.pattern.trims.shapes import Bow, Frill, Trim
 
 _NECK_FRILL, _SLEEVE_FRILL, _HEM_FRILL, _FRINGE = 4.0, 5.0, 8.0, 12.0
 """How far each goes beyond its edge, cm."""
@@ -150,8 +150,7 @@ def apron(chalk: Chalk, name: str) -> list[Trim]:
     if min(halves) < 4.0 * chalk.size:
         return []
     sides = [[(sign * x, float(y)) for x, y in zip(halves, heights, strict=True)] for sign in (-1, 1)]
-    local = [view.local(side) for side in sides]
-    return [Patch(name, view.panel.name, local[0], local[1])]
+    return chalk.ruled(name, view.panel.name, sides[0], sides[1])
 
 
 def _below_the_neck(chalk: Chalk) -> tuple[str, float, float] | None:

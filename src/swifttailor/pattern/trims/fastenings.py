@@ -34,7 +34,6 @@ _POLO, _HALF_ZIP = 14.0, 24.0
 _ZIP = 0.55
 """Half the width of the teeth, cm."""
 
-_APRON = "apron"
 _Seam = tuple[EdgeRef, EdgeRef, float, float]
 
 
@@ -139,7 +138,7 @@ def _skirt_length(chalk: Chalk) -> float:
 def _buttons_of_skirt(chalk: Chalk, name: str, count: int = 0) -> list[Trim]:
     """Down the middle of a skirt in one piece: shirt dresses, skirts that are buttoned."""
     middle = _skirt_middle(chalk)
-    if middle is None or _APRON in chalk.pattern.trims:  # which would hide them
+    if middle is None:
         return []
     view, (low, high) = chalk.views["skirt_front"], middle
     heights = np.arange(high - 4, low + 7, -_SPACING * chalk.size)
