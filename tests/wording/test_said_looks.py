@@ -33,7 +33,7 @@ black dress with white polka dots and a white collar | black white | collar whit
 burgundy dress with an ivory Peter Pan collar | burgundy | collar ivory
 navy coat with brass buttons and a black belt | navy | buttons brass, belt black
 red coat with gold buttons | red | buttons gold
-dress with white piping | | - white
+dress with white piping | | edging white
 dress with black boots | | - black
 oversized mesh t-shirt | | all mesh
 sheer black dress | black | all sheer

@@ -50,6 +50,8 @@ _LEVEL_TO, _LEVEL_FROM = 0.55, 0.72
 """As parts of the way to the side, controls of a hem that is level in the middle and again at the side."""
 _PER_SHAPING = 2.0
 """Width around at the hem for each centimetre by which the sides are bent in."""
+_ABOVE_SEAT_CM = 6.0
+"""What ends less far below the waist does not reach the seat; from twice that on it does."""
 _LEAST_CURVE = 6.0
 """Between bends of a side seam that follows the body, cm."""
 _FOLLOWING_EASE = 1.0
@@ -158,7 +160,8 @@ def lay_loose_bodice(table: CuttingTable, figure: Figure, shape: LooseBodice) ->
     slit = shape.front_slit
     if shape.front_closed_to is not None:
         slit = max(shape.length - shape.front_closed_to, 0.0) if shape.front_opening else 0.0
-    behind = runs_back(chest, body, widening, under_y - hem_y) if shape.length > 0 else 0.0
+    on_seat = min(max((shape.length - _ABOVE_SEAT_CM) / _ABOVE_SEAT_CM, 0.0), 1.0)
+    behind = on_seat * runs_back(chest, body, widening, under_y - hem_y)
     length, followed = None, None
     for side, half in (("f", chest.front), ("b", chest.back)):
         front = side == "f"
