@@ -197,3 +197,19 @@ def test_larger_bodies_get_larger_clothes():
         for b in (90.0, 110.0)
     )
     assert sum(abs(p.signed_area()) for p in small.panels) < sum(abs(p.signed_area()) for p in large.panels)
+
+
+@pytest.mark.parametrize("name", ["blazer", "cardigan", "turtleneck", "waistcoat"])
+def test_short_jackets_are_taken_in_by_darts_at_the_waist(name):
+    """Without them, they hang from the bust like a shelf."""
+    short = {"length": 8.0, "waist_shaping": 3.0}
+    assert count_darts(draft(name, **short)) == 6  # two in each front, one in each back
+    assert count_darts(draft(name, **{**short, "waist_shaping": 0.0})) == 0
+
+
+def test_what_ends_lower_has_no_darts_from_its_hem():
+    assert count_darts(draft("blazer", length=24.0)) == 0
+
+
+def count_darts(pattern: Pattern) -> int:
+    return sum(stitch.first.panel == stitch.second.panel for stitch in pattern.stitches)

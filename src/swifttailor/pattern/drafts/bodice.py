@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
+from swifttailor.pattern.drafts.bust_dart import draw_side_with_bust_dart
 from swifttailor.pattern.drafts.cutting_table import CuttingTable, Piece
 from swifttailor.pattern.drafts.figure import Figure, Halves
+from swifttailor.pattern.drafts.hem_dart import darted_half, draw_darted_hem, hem_dart
 from swifttailor.pattern.drafts.neckline import Neckline, draw_neckline
 from swifttailor.pattern.drafts.outline import Outline, Point, Side
 from swifttailor.pattern.drafts.side_seam import (
@@ -98,6 +100,9 @@ class LooseBodice:
     follows: bool = False
     """Whether the side seams follow waist and hips, as cloth that stretches can; `waist_shaping` is then how
     far they may bend inward."""
+    darted: bool = False
+    """Whether what ends at the waist and has `waist_shaping` has darts to the bust, and is taken in by others
+    from the hem."""
 
 
 def armhole(outline: Outline, tip: Point, slope: float, scoop: float) -> None:
@@ -144,7 +149,9 @@ def lay_loose_bodice(table: CuttingTable, figure: Figure, shape: LooseBodice) ->
     body = figure.girth_below_waist(shape.length).eased(shape.hip_ease)
     widening = max(body.girth - chest.girth, 0.0) / 4 if shape.length > 0 else 0.0
     shaping = shape.waist_shaping
-    if shaping and shape.length < SHORT_CM:  # what ends at the waist narrows down to it
+    short = shaping > 0.0 and shape.length < SHORT_CM
+    darted = shape.darted and short and not (follows or shape.side_slits or shape.side_rise)
+    if short:  # what ends at the waist narrows down to it
         widening = min(max((body.girth - chest.girth) / 4, -shaping), widening)
         shaping = 0.0
     elif shaping and not follows:  # bent sides are narrower above the hem, and the seat holds them up
@@ -166,8 +173,9 @@ def lay_loose_bodice(table: CuttingTable, figure: Figure, shape: LooseBodice) ->
     for side, half in (("f", chest.front), ("b", chest.back)):
         front = side == "f"
         hem_x = half + widening + (-behind if front else behind)
+        hem_x = max(hem_x, darted_half(figure, shape.length, front=front)) if darted else hem_x
         balance = LOOSE_HEM_BALANCE if shape.length > _CROPPED_CM else 1.0
-        drop = balance * figure.front_fullness if front else 0.0
+        drop = balance * figure.front_fullness if front and not darted else 0.0
         start = max(shape.front_opening, 0.0) if front else 0.0
         curved = shape.side_rise > 0.0
         hem_end = min(hem_y + rise + shape.side_rise, under_y - SIDE_MINIMUM) if curved else hem_y + rise
@@ -182,8 +190,12 @@ def lay_loose_bodice(table: CuttingTable, figure: Figure, shape: LooseBodice) ->
         else:
             corner = as_long(length, corner, underarm, shaping)
         outline = Outline(start, hem_y - drop)
+        dart = hem_dart(figure, shape.length, (start, hem_x), under_y, front=front) if darted else None
         if front and shape.front_point:
             outline.line("hem", POINT_X, hem_y - drop - shape.front_point)
+        if dart is not None:
+            draw_darted_hem(outline, corner, dart)
+        elif front and shape.front_point:
             outline.line("hem", *corner)
         elif curved:
             across = (start + _LEVEL_TO * (hem_x - start), hem_y - drop)
@@ -194,6 +206,8 @@ def lay_loose_bodice(table: CuttingTable, figure: Figure, shape: LooseBodice) ->
             outline.line("hem", *corner)
         if along is not None:
             draw_curve(outline, along)
+        elif darted and front:  # or the front would stand away below the bust
+            draw_side_with_bust_dart(outline, figure, underarm)
         else:
             draw_side(outline, underarm, shaping, shape.side_slits)
         scoop = 0.72 if front else 0.5

@@ -208,6 +208,7 @@ def _with_lapels(
         waist_shaping=options.waist_shaping,
         front_opening=options.opening,
         front_closed_to=options.closed_to,
+        darted=True,
     )
     lay_loose_bodice(table, figure, bodice)
     sewn = collar or LapelCollar(options.collar_width, options.lapels, options.lapel_width)

@@ -183,6 +183,7 @@ def draft_turtleneck(options: TurtleneckOptions, measurements: Measurements) -> 
         follows=follows_body(options.stretch, options.waist_shaping, options.armhole),
         front_opening=options.opening,
         front_closed_to=options.closed_to,
+        darted=options.stretch == 0.0 and options.armhole != "cut-in-one",
     )
     lay_loose_bodice(table, figure, bodice)
     rolled = options.rolled and not options.opening
@@ -219,6 +220,7 @@ class CardiganOptions:
     sleeve_shape: SleeveShapeOption = "plain"
     armhole: ArmholeCutOption = "set-in"
     wing: WingOption = 8.0
+    waist_shaping: declared.WaistShaping = 0.0
 
 
 def draft_cardigan(options: CardiganOptions, measurements: Measurements) -> Pattern:
@@ -234,6 +236,8 @@ def draft_cardigan(options: CardiganOptions, measurements: Measurements) -> Patt
         shoulder_extension=options.shoulder_extension,
         front_opening=options.opening,
         front_closed_to=options.closed_to,
+        waist_shaping=options.waist_shaping,
+        darted=options.armhole != "cut-in-one",
     )
     lay_loose_bodice(table, figure, bodice)
     sleeve = Sleeve(
@@ -277,6 +281,7 @@ def draft_waistcoat(options: WaistcoatOptions, measurements: Measurements) -> Pa
         front_point=options.point,
         front_slit=options.hem_opening,
         front_opening=_WAISTCOAT_OPENING_CM if options.hem_opening else 0.0,
+        darted=True,
     )
     lay_loose_bodice(table, figure, bodice)
     table.mirror()
