@@ -55,7 +55,7 @@ _HOODED = frozenset({"hoodie", "hooded-coat"})
 _RIBS, _RIBBED = "rib_bands", frozenset({"t-shirt", "tank-top", "sweatshirt"})
 _KNITS = frozenset({"jersey", "rib-knit", "sweatshirt", "fleece"})
 _SAID_ALONE = frozenset({"lace", "braid"})
-"""What is put on only where the text itself asks for it."""
+"""What is put on only where the text itself asks for it, or a row of the tables has its trim."""
 _LOWER = ("trousers", "shorts")
 _DENIM = "denim"
 _DETAILS = "styles"
@@ -88,8 +88,10 @@ def trims_wanted(heard: Heard, draft: str = "", kind: str = "") -> tuple[TrimWis
     kind = heard.kind or kind
     found = []
     for lack in heard.lacks:
-        can = TRIMS_OF.get(lack.what, ()) if lack.said or lack.what not in _SAID_ALONE else ()
+        can = TRIMS_OF.get(lack.what, ())
         own = tuple([name for name in _of_garment(heard) if name in can])
+        if not lack.said and lack.what in _SAID_ALONE and not own:
+            can = ()
         said = tuple([name for name in named if name in can])
         choices = _usual(lack.what, kind, heard.cloth, draft) if can else ()
         if said or own:
