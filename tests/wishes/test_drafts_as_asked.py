@@ -165,3 +165,10 @@ def test_what_is_begun_can_be_drafted_and_has_the_shoulders_asked_for(name, clai
         return
     assert draft(found.name, **dict(found.options)).panels
     assert BARE not in claims or found.name in BARE_SHOULDERED
+
+
+def test_what_is_darted_to_the_waist_stays_as_long_and_as_wide_as_it_is():
+    darted = NamedDraft.parse("turtleneck(rolled=false;chest_ease=5;length=6;waist_shaping=3)")
+    asked = [Claim("top_hem", "waist"), Claim("fit", "close")]
+    assert draft_as_asked(darted, asked) == darted
+    assert dict(draft_as_asked(NamedDraft("turtleneck"), asked).options)["length"] == 0.0

@@ -98,3 +98,9 @@ def test_trims_of_entries_stand_for_what_they_cannot_have():
         for name in entry.trims:
             assert any(name in TRIMS_OF.get(what, ()) for what in entry.cannot), f"{entry.name}: {name}"
     assert {name for entry in marked for name in entry.trims} >= set(TRIMS) - {"buckle belt", "drawstring"}
+
+
+def test_edging_is_put_on_unasked_where_the_tables_give_it_to_a_name():
+    (edged,) = [wish for wish in trims_wanted(heard("a folk waistcoat"), kind="top") if wish.what == "braid"]
+    assert edged.choices[0] == ("edging",) and not edged.said
+    assert "braid" not in {wish.what for wish in trims_wanted(heard("tuxedo trousers"), kind="trousers")}

@@ -167,6 +167,8 @@ _CROPPED: Mapping[str, tuple[str, Mapping[str, float]]] = {
     ),
 }
 """Where the hems of drafts are that are asked to end above the hips, cm below the waist, and their room."""
+_SHAPED_TO_CM = 7.0
+"""What is darted to the waist may end so far below it; above, it would seem cropped."""
 _WITH_WINGS_CM: Mapping[str, float] = {"t-shirt": 8.0, "sweatshirt": 12.0}
 """Hems of tops whose sleeves are cut in one lie at least so far below the waist, cm: above shorter ones such
 sleeves do not follow the arm."""
@@ -186,7 +188,10 @@ def _cropped(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     asked = [lengths[str(c.value)] for c in claims if c.name == "top_hem" and str(c.value) in lengths]
     if not asked:
         return draft
-    options = {**dict(draft.options), "length": asked[0]}
+    own = dict(draft.options)
+    if own.get("waist_shaping") and 0.0 <= asked[0] <= float(own.get("length", 99.0)) <= _SHAPED_TO_CM:
+        return draft
+    options = {**own, "length": asked[0]}
     if options.get(ARMHOLE) == "cut-in-one":
         options["length"] = max(asked[0], _WITH_WINGS_CM.get(draft.name, 8.0))
     elif asked[0] < 0:
@@ -334,6 +339,9 @@ def _close(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     """A top that is to be close, its sides bent in at the waist."""
     options = dict(draft.options)
     if draft.name not in _SHAPED or Claim("fit", "close") not in claims or SIDE_SLITS in options:
+        return draft
+    short = float(options.get("length", 99.0)) <= _SHAPED_TO_CM
+    if short and options.get("waist_shaping") and not options.get("stretch"):  # darted, so close as it is
         return draft
     options["chest_ease"] = min(float(options.get("chest_ease", _CLOSE_CM)), _CLOSE_CM)
     return replace(draft, options=tuple({**options, "waist_shaping": _SHAPING_CM}.items()))

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from swifttailor.describing.claims import Claim
 from swifttailor.describing.differences import Gain
-from swifttailor.pattern.drafts.draft_names import DRAFT_KINDS, NamedDraft
+from swifttailor.pattern.drafts.draft_names import NamedDraft
 from swifttailor.wishes.armholes_as_asked import armholes_as_asked
 from swifttailor.wishes.asked_hems import hem_as_asked
 from swifttailor.wishes.button_counts import closed_as_counted
@@ -98,7 +98,7 @@ def _sure_claims(heard: Heard) -> list[Claim]:
 def _begun(heard: Heard, entries: Sequence[Entry], sure: Sequence[Claim]) -> list[NamedDraft]:
     """The drafts that entries name, as they are asked for; else such as have all that is told."""
     kind = _CUT_AS.get(heard.kind or "", heard.kind)
-    named = [draft for entry in entries for draft in entry.drafts if DRAFT_KINDS[draft.name] == kind]
+    named = [draft for entry in entries for draft in entry.drafts if draft.kind == kind]
     named = _with_one_collar([as_not_refused(draft, heard.never) for draft in named])
     fitting = [draft_as_asked(armholes_as_asked(draft, heard.lacks), sure) for draft in named]
     if not named and heard.kind in (None, "top") and _tells_no_garment(heard):

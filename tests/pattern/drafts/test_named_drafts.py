@@ -24,3 +24,8 @@ def test_what_is_written_otherwise_is_refused(text):
 def test_a_name_without_a_draft_is_refused_with_those_that_are():
     with pytest.raises(ValueError, match=r"there is no draft 'flairs'\. Known: .*flares"):
         NamedDraft.parse("flairs(flare=14)")
+
+
+def test_a_cape_that_ends_near_the_waist_is_a_top():
+    assert NamedDraft.parse("cape(length=4)").kind == "top"
+    assert NamedDraft.parse("cape(length=66)").kind == NamedDraft("cape").kind == "dress"

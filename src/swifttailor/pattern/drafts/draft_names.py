@@ -76,6 +76,8 @@ DRAFT_KINDS: Mapping[str, DraftKind] = {
 }
 """What each is measured to be."""
 DRAFT_NAMES = tuple(DRAFT_KINDS)
+_SHORT_CAPE_CM = 25.0
+"""Capes that end less far below the waist are worn like tops."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -103,6 +105,12 @@ class NamedDraft:
         if not inside.endswith(")") or not all(field and value for field, _, value in pairs):
             raise ValueError(f"'{text}' is not written like 'trousers(flare=24;leg_ease=6)'.")
         return cls(name, tuple([(field, _value(value)) for field, _, value in pairs]))
+
+    @property
+    def kind(self) -> str:
+        """Of what is cut from it: a cape that ends near the waist is worn like a top."""
+        length = float(dict(self.options).get("length", _SHORT_CAPE_CM))
+        return "top" if self.name == "cape" and length < _SHORT_CAPE_CM else DRAFT_KINDS[self.name]
 
     @property
     def shows(self) -> tuple[str, ...]:

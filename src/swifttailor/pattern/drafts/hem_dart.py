@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from swifttailor.pattern.drafts.figure import Figure
 from swifttailor.pattern.drafts.outline import Outline, Point
 
-_EASE_CM = 2.0
+_EASE_CM = 4.0
 """Room at the hem over the body there, cm around."""
 _WIDEST = {True: 5.0, False: 3.0}
 """Of a dart in front and behind, cm; wider ones pucker at their tips."""
