@@ -8,6 +8,7 @@ from test_cut import BODY, WAIST_Y, extent, labelled_length, seam_length
 
 from swifttailor.describing import Claim
 from swifttailor.describing.measuring import measure_facts
+from swifttailor.pattern.curve import Line
 from swifttailor.pattern.drafts import draft, list_drafts
 from swifttailor.pattern.drafts.draft_names import DRAFT_KINDS, DRAFT_NAMES
 
@@ -49,6 +50,29 @@ def test_cloth_that_is_folded_away_stands_inside_the_strip_that_covers_it():
             outward = pattern.panel(over).normal()
             depth = (place(pattern, seen) - place(pattern, hidden)) @ outward
             assert 0.1 < depth < 0.4 and fold.right_wrong
+
+
+def test_legs_of_jumpsuits_may_be_gathered_into_cuffs():
+    for name in ("jumpsuit", "strappy-jumpsuit"):
+        plain, cuffed = draft(name), draft(name, leg_cuff=4, leg_ease=40, length=94)
+        assert len(cuffed.panels) == len(plain.panels) + 4
+        assert np.ptp(cuffed.panel("pant_l_cuff_f").vertices[:, 1]) == pytest.approx(4.0)
+
+
+def test_flares_of_cloth_that_stretches_have_no_darts():
+    facts = [measure_facts(draft("flares", stretch=s, flare=26, leg_ease=1.5)).trousers for s in (0, 8)]
+    assert [f.darts > 0 for f in facts] == [True, False]
+
+
+def test_briefs_have_no_legs_and_bare_more_of_them_where_asked():
+    facts, high = measure_facts(draft("briefs")), measure_facts(draft("briefs", leg_height=10))
+    assert facts.trousers.inseam < 5.0 and high.hem.left > facts.hem.left + 3.0
+
+
+def test_inseams_of_roomy_shorts_are_straight():
+    close, roomy = (draft("trousers", length=50, leg_ease=ease).panel("pant_f_l") for ease in (5, 18))
+    curved = [sum(not isinstance(edge.curve, Line) for edge in panel.edges) for panel in (close, roomy)]
+    assert curved[1] == curved[0] - 1
 
 
 def place(pattern, side) -> np.ndarray:

@@ -28,7 +28,7 @@ SHOULD_HAVE = {
     "buttons": (*JACKETS, "cardigan", "shirt"),
     "button placket": ("shirt", "shirt-dress", "fitted-dress", "circle-skirt", "camisole"),
     "polo placket": ("polo-shirt", "t-shirt"),
-    "double-breasted buttons": JACKETS,
+    "double-breasted buttons": (*JACKETS, *TROUSERS),
     "zip": (*TOPS, *JACKETS, "jumpsuit", "strapless-dress", "camisole", "bustier"),
     "half zip": (*TOPS, "hoodie"),
     "back zip": (*DRESSES, *SKIRTS, "strapless-dress", "jumpsuit"),

@@ -17,6 +17,8 @@ LEG_CUFF_GAP = 2.0
 """Between a leg and its cuff before draping, cm."""
 LEG_CUFF_FRONT_Z, LEG_CUFF_BACK_Z = 17.0, -20.0
 """Where the cuffs of legs stand before draping, cm: near the ankles, so that they close around them."""
+_LOWEST_CUFF_CM, _CUFF_EASE_CM = 1.0, 3.0
+"""Cuffs of jumpsuits' legs: how high the lowest are, and their room, cm."""
 
 
 def lay_waist_band(
@@ -128,3 +130,9 @@ def lay_leg_cuff(table: CuttingTable, figure: Figure, ease: float, height: float
         table.seam(f"{leg}.hem", f"{name}.join", gathered=True)
     table.seam("pant_l_cuff_f.outer", "pant_l_cuff_b.outer")
     table.seam("pant_l_cuff_f.inner", "pant_l_cuff_b.inner")
+
+
+def lay_gathering_leg_cuff(table: CuttingTable, figure: Figure, height: float) -> None:
+    """Lays a cuff that the left leg of a jumpsuit is gathered into; none where `height` is 0, cm."""
+    if height >= _LOWEST_CUFF_CM:
+        lay_leg_cuff(table, figure, _CUFF_EASE_CM, height)

@@ -65,6 +65,10 @@ LegEase = Annotated[float, Option("Room on top of the leg's girth at knee and he
 LegFlare = Annotated[
     float, Option("Extra width of the hem over the knee; negative narrows it.", "cm", -12.0, 30.0)
 ]
+GatheringLegCuff = Annotated[
+    float,
+    Option("Height of cuffs that the legs are gathered into below their length; 0: none.", "cm", 0.0, 8.0),
+]
 HemDip = Annotated[
     float, Option("How much lower the hem is behind than in front, without gathers.", "cm", 0.0, 60.0)
 ]
@@ -75,6 +79,7 @@ SkirtGathers = Annotated[
     float,
     Option("Width of a gathered skirt over the waist's; 1 cuts it from a circle.", "times", 1.0, 2.6),
 ]
+ShortSkirtLength = Annotated[float, Option("Body's waist to the hem, down the middle.", "cm", 28.0, 100.0)]
 CircleFraction = Annotated[
     float, Option("Part of a full circle that the skirt is cut from.", "circles", 0.3, 1.5)
 ]

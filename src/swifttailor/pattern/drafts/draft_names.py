@@ -63,6 +63,7 @@ DRAFT_KINDS: Mapping[str, DraftKind] = {
     "leggings": "trousers",
     "pull-on-trousers": "trousers",
     "joggers": "trousers",
+    "briefs": "trousers",
     "flares": "trousers",
     "fitted-skirt": "skirt",
     "mermaid-skirt": "skirt",
@@ -271,7 +272,7 @@ DRAFTS_SHOW: Mapping[str, tuple[str, ...]] = {
 }
 """What a draft shows that no way to cut makes: keys of the lexicon's ``cannot.txt``. Where it
 names a shirt dress, that has its collar."""
-STRETCHING = frozenset({"leggings", "bodysuit", "swimsuit"})
+STRETCHING = frozenset({"leggings", "bodysuit", "swimsuit", "briefs"})
 """Drafts that are for cloth that stretches unless their option says otherwise."""
 _COLLAR_KEYS = ("shirt_collar", "flat_collar")
 _COLLARS_SHOW: Mapping[str, tuple[str, ...]] = {

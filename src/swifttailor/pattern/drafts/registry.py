@@ -168,6 +168,7 @@ _DRAFTS = (
         "pull-on-trousers", "Long or short legs gathered into the waistband", pull_on.draft_pull_on_trousers
     ),
     DraftInfo("joggers", "Gathered into the waistband and into cuffs at the ankles", pull_on.draft_joggers),
+    DraftInfo("briefs", "Close, without legs, on a waistband", one_pieces.draft_briefs),
     DraftInfo("flares", "Close to the knee, wide at the hem, waistband", trousers.draft_flares),
     DraftInfo("fitted-skirt", "Pencil or A-line skirt, waistband", skirts.draft_fitted_skirt),
     DraftInfo("mermaid-skirt", "Close to the knee, a flounce below, waistband", skirts.draft_mermaid_skirt),

@@ -30,6 +30,8 @@ CLOSE_LEGS_CM = 3.5
 """Legs with less room than this lie close all the way down, as of jersey."""
 SLANT = 2.0
 """Without darts the slant of the centre back takes no more than this, cm."""
+ROOMY_CM = 10.0
+"""Short legs with so much room have a straight inseam: hollowed out they would stand apart above the hems."""
 SHORTEST_INSEAM = 4.0
 """Hem below the crotch at least, cm."""
 
@@ -103,6 +105,8 @@ class LegLines:
     """By how much the back of the hem is wider than half of the leg, and the front narrower."""
     bow: float
     """How far the side seam bows outward above the knee."""
+    roomy: bool
+    """Whether there is so much room that the inseam of short legs runs straight."""
 
 
 def lay_trousers(table: CuttingTable, figure: Figure, shape: Trousers, waist: Halves, top_y: float) -> None:
@@ -189,6 +193,7 @@ def _leg_lines(figure: Figure, shape: Trousers, hips: Halves, taken: Suppression
         reach=_reach(figure, shape.reach),
         step=step,
         bow=shape.bow if knee_y is not None else 0.0,
+        roomy=shape.leg_ease >= ROOMY_CM,
     )
 
 
@@ -281,6 +286,8 @@ def _inseam(outline: Outline, lines: LegLines) -> Outline:
     """Draws from the crotch point over the knee back to the hem."""
     x, y = outline.sides[-1].end
     hem: Point = outline.sides[0].start
+    if lines.knee_y is None and lines.roomy:
+        return outline.line("inseam", *hem)
     if lines.knee_y is None:
         return outline.quadratic("inseam", (0.75 * hem[0] + 0.25 * x, y - 0.45 * (y - hem[1])), hem)
     knee = (hem[0] + (lines.hem_width - lines.knee_width) / 2, lines.knee_y)

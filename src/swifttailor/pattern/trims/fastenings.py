@@ -29,6 +29,8 @@ _BAND = 1.6
 """Half the width of a front band, cm."""
 _DOUBLE_AT = 6.5
 """Distance of each of two rows of buttons from the middle, cm."""
+_FLAP_AT, _FLAP = 8.0, 15.0
+"""Half the width of the flap of trousers, and how far it reaches down, cm."""
 _POLO, _HALF_ZIP = 14.0, 24.0
 """How far down they reach from the neck, cm."""
 _ZIP = 0.55
@@ -156,10 +158,10 @@ def _buttons_of_skirt(chalk: Chalk, name: str, count: int = 0) -> list[Trim]:
 
 
 def double_breasted(chalk: Chalk, name: str) -> list[Trim]:
-    """Two rows, and the edge of the front that lies above the other one."""
+    """Two rows, and the edge of the front that lies above the other one; of trousers those of a flap."""
     seam = _front(chalk)
     if seam is None:
-        return []
+        return _fall_front(chalk, name)
     right, left, low, high = seam
     at, top = _DOUBLE_AT * chalk.size, high - 2
     edge_top = chalk.height_within(chalk.views[left.panel], at + 2.5, top, low + 0.5)
@@ -185,6 +187,25 @@ def double_breasted(chalk: Chalk, name: str) -> list[Trim]:
         ]
         pairs += [pair] if all(pair) else []
     return [*pieces, *(button for pair in pairs for one in pair for button in one)] if pairs else []
+
+
+def _fall_front(chalk: Chalk, name: str) -> list[Trim]:
+    """The flap of sailors' trousers: its seams, and a row of buttons down either side."""
+    pieces: list[Trim] = []
+    size = chalk.size
+    for panel, sign in (("pant_f_l", 1.0), ("pant_f_r", -1.0)):
+        view = chalk.views.get(panel)
+        span = None if view is None or "wb_front" not in chalk.views else view.span(view.high - 3)
+        if view is None or span is None:
+            return []
+        at = (span[0] if sign > 0 else span[1]) + sign * _FLAP_AT * size
+        top = chalk.top_at(view, at) - 0.5
+        low = top - _FLAP * size
+        pieces += chalk.line(name, panel, [(at, top), (at, low), (at - sign * (_FLAP_AT - 0.3) * size, low)])
+        for share in (0.12, 0.4, 0.68):
+            y = top - share * _FLAP * size
+            pieces += chalk.button(name, panel, (at - sign * 1.8 * size, y), 0.8 * size)
+    return pieces
 
 
 def _above_belt(chalk: Chalk) -> float:

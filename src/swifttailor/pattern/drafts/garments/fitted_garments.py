@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Annotated
 
 from swifttailor.pattern.drafts import declared
-from swifttailor.pattern.drafts.band import lay_sleeve_cuff
+from swifttailor.pattern.drafts.band import lay_gathering_leg_cuff, lay_sleeve_cuff
 from swifttailor.pattern.drafts.bodice import sew_centres
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure, Halves
@@ -264,6 +264,7 @@ class JumpsuitOptions(SleevedBodiceOptions):
     crotch_drop: Annotated[
         float, Option("Crotch below the body's; the room to sit down in.", "cm", 1.5, 8.0)
     ] = 3.0
+    leg_cuff: declared.GatheringLegCuff = 0.0
     collar: CollarOption = "none"
     collar_width: declared.CollarWidth = 5.5
     collar_height: CollarHeight = 4.0
@@ -280,6 +281,7 @@ def draft_jumpsuit(options: JumpsuitOptions, measurements: Measurements) -> Patt
         options.length, options.hip_ease, options.leg_ease, options.flare, options.crotch_drop
     )
     lay_trousers(table, figure, legs, waist, figure.waist_y)
+    lay_gathering_leg_cuff(table, figure, options.leg_cuff)
     table.mirror()
     sew_centres(table)
     collar.sew(table)

@@ -1,4 +1,4 @@
-"""Close one-piece garments without legs: bodysuit, swimsuit."""
+"""Close garments without legs: bodysuit, swimsuit, briefs."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import Annotated
 
 from swifttailor.pattern.drafts import declared
+from swifttailor.pattern.drafts.band import lay_body_waist_band
 from swifttailor.pattern.drafts.bodice import sew_centres
 from swifttailor.pattern.drafts.briefs import Briefs, lay_briefs
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
@@ -13,7 +14,7 @@ from swifttailor.pattern.drafts.figure import Figure, Halves
 from swifttailor.pattern.drafts.fitted_strap_bodice import FittedStrapBodice, lay_fitted_strap_bodice
 from swifttailor.pattern.drafts.garments.fitted_garments import SleevedBodiceOptions, lay_sleeved_bodice
 from swifttailor.pattern.drafts.garments.strappy import FrontDip, StrapWidth
-from swifttailor.pattern.drafts.joins import sew_trousers_to_bodice
+from swifttailor.pattern.drafts.joins import sew_trousers_to_band, sew_trousers_to_bodice
 from swifttailor.pattern.drafts.measurements import Measurements
 from swifttailor.pattern.drafts.options import Option
 from swifttailor.pattern.drafts.trousers import sew_legs
@@ -27,6 +28,31 @@ LegHeight = Annotated[
 ]
 CloseHipEase = Annotated[float, Option("Room on top of the hip girth, all around.", "cm", 0.0, 8.0)]
 _CROTCH_DROP_CM = 0.0
+_BRIEFS_BAND_CM, _BRIEFS_DROP_CM = 3.0, 3.0
+"""Height of the band of briefs, and by how much they reach lower than what hangs from the shoulders."""
+
+
+@dataclass(frozen=True)
+class BriefsOptions:
+    """Options of the briefs."""
+
+    hip_ease: CloseHipEase = 3.0
+    leg_height: LegHeight = 1.0
+    below_waist: declared.BelowWaist = 6.0
+    stretch: declared.ClothStretch = 8.0
+
+
+def draft_briefs(options: BriefsOptions, measurements: Measurements) -> Pattern:
+    """Drafts briefs for a body: a waistband, and cloth cut out over the legs."""
+    figure = Figure.of(measurements).for_cloth(options.stretch / 100)
+    table = CuttingTable("briefs", options.stretch / 100)
+    waist = lay_body_waist_band(table, figure, _BRIEFS_BAND_CM, 0.0, options.below_waist)
+    cut = Briefs(options.hip_ease, options.leg_height, _BRIEFS_DROP_CM)
+    lay_briefs(table, figure, cut, waist, figure.waist_y - options.below_waist - _BRIEFS_BAND_CM)
+    table.mirror()
+    sew_legs(table)
+    sew_trousers_to_band(table)
+    return table.finish()
 
 
 @dataclass(frozen=True)

@@ -75,7 +75,7 @@ def draft_mermaid_skirt(options: MermaidSkirtOptions, measurements: Measurements
 class CircleSkirtOptions:
     """Options of the circle skirt."""
 
-    length: declared.SkirtLength = 60.0
+    length: declared.ShortSkirtLength = 60.0
     fraction: declared.CircleFraction = 0.75
     band_height: declared.BandHeight = 4.0
     waist_ease: declared.BandEase = 0.0

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import Annotated
 
 from swifttailor.pattern.drafts import declared
+from swifttailor.pattern.drafts.band import lay_gathering_leg_cuff
 from swifttailor.pattern.drafts.bodice import sew_centres
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure, Halves
@@ -29,8 +30,6 @@ StrapWidth = Annotated[float, Option("Width of the straps.", "cm", 1.0, 4.0)]
 StraplessEase = Annotated[float, Option("Room on top of the bust girth, all around.", "cm", 0.0, 6.0)]
 HeldWaistEase = Annotated[float, Option("Room on top of the waist girth, all around.", "cm", -1.0, 4.0)]
 HeartDip = Annotated[float, Option("Fall of the heart in the middle; 0 is straight.", "cm", 0.0, 8.0)]
-_CROTCH_DROP = 3.0
-"""Below the body's; the room to sit down in, cm."""
 FrontDip = Annotated[float, Option("Fall of the front between the straps.", "cm", 0.0, 8.0)]
 
 
@@ -185,6 +184,8 @@ class HeldJumpsuitOptions:
     length: declared.TrouserLength = 101.0
     leg_ease: declared.LegEase = 14.0
     flare: declared.LegFlare = 4.0
+    crotch_drop: Annotated[float, Option("Crotch below the body's.", "cm", 1.5, 8.0)] = 3.0
+    leg_cuff: declared.GatheringLegCuff = 0.0
     stretch: declared.ClothStretch = 0.0
 
 
@@ -223,8 +224,11 @@ def draft_strappy_jumpsuit(options: StrappyJumpsuitOptions, measurements: Measur
 
 
 def _with_legs(table: CuttingTable, figure: Figure, options: HeldJumpsuitOptions, waist: Halves) -> Pattern:
-    legs = legs_of_bodice(options.length, options.hip_ease, options.leg_ease, options.flare, _CROTCH_DROP)
+    legs = legs_of_bodice(
+        options.length, options.hip_ease, options.leg_ease, options.flare, options.crotch_drop
+    )
     lay_trousers(table, figure, legs, waist, figure.waist_y)
+    lay_gathering_leg_cuff(table, figure, options.leg_cuff)
     table.mirror()
     sew_centres(table)
     sew_legs(table)

@@ -100,11 +100,17 @@ class FlaresOptions:
     crotch_drop: CrotchDrop = 0.5
     band_height: declared.BandHeight = 4.0
     below_waist: declared.BelowWaist = 0.0
+    stretch: declared.ClothStretch = 0.0
 
 
 def draft_flares(options: FlaresOptions, measurements: Measurements) -> Pattern:
-    """Drafts flares for a body: close to the knee, and wider from there to the hem."""
+    """Drafts flares for a body: close to the knee, and wider from there to the hem.
+
+    Those of cloth that stretches lie on the legs as leggings do, without darts.
+    """
     legs = Trousers(options.length, options.hip_ease, options.leg_ease, options.flare, options.crotch_drop)
+    if options.stretch:
+        legs = replace(legs, darts=False, reach=CLOSE_REACH, side_share=SIDE_SHARE)
     return _on_band("flares", legs, options, 0.0, measurements)
 
 
@@ -127,7 +133,7 @@ def _slim_legs(options: JeansOptions | LeggingsOptions) -> Trousers:
 
 def _on_band(name: str, legs: Trousers, options: _OnBand, ease: float, measurements: Measurements) -> Pattern:
     """Lays and sews legs on a waistband."""
-    stretch = options.stretch / 100 if isinstance(options, JeansOptions | LeggingsOptions) else 0.0
+    stretch = options.stretch / 100 if not isinstance(options, TrousersOptions) else 0.0
     figure = Figure.of(measurements).for_cloth(stretch)
     table = CuttingTable(name, stretch)
     low, height = options.below_waist, options.band_height

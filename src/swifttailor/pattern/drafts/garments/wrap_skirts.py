@@ -53,8 +53,8 @@ class SarongOptions:
     """Options of the sarong."""
 
     length: declared.SkirtLength = 92.0
-    flare: declared.SkirtFlare = 0.0
-    hip_ease: declared.HipEase = 6.0
+    flare: declared.SkirtFlare = 3.0
+    hip_ease: declared.HipEase = 3.0
     overlap_aside: OverlapAside = 10.0
     overlap_edge: OverlapEdge = 8.0
     overlap_under: OverlapUnder = 28.0
