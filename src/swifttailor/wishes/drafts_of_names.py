@@ -62,7 +62,7 @@ _DRAFTS: Mapping[str, NamedDraft] = {
     "jumpsuit": NamedDraft.parse("jumpsuit(hip_ease=7;leg_ease=14)"),
     "playsuit": NamedDraft.parse("jumpsuit(length=50;leg_ease=16;flare=4)"),
     "trousers": NamedDraft.parse("trousers(length=100;leg_ease=21;flare=-3.5)"),
-    "shorts": NamedDraft.parse("trousers(length=50;hip_ease=5;leg_ease=14)"),
+    "shorts": NamedDraft.parse("trousers(length=50;hip_ease=4;leg_ease=18;crotch_drop=3)"),
 }
 _SHAPED_LEGS: Mapping[str, NamedDraft] = {
     "wide": NamedDraft.parse("trousers(length=100;hip_ease=6;leg_ease=36;flare=6)"),
