@@ -203,6 +203,23 @@ def test_a_name_sets_options_of_its_draft():
     assert 0 < dict(bootcut.options)["flare"] < 20
 
 
+def test_names_of_legs_and_skirts_have_drafts_of_their_own():
+    drafts = {
+        "thong": "briefs",
+        "harem jumpsuit": "jumpsuit",
+        "salopettes": "dungarees",
+        "lungi": "gathered-skirt",
+        "high waisted skirt": "circle-skirt",
+        "sharara": "flares",
+        "H line dress": "shift-dress",
+        "knee breeches": "joggers",
+    }
+    heard = {text: hear_description(text, Saying()).drafts[0] for text in drafts}
+    assert {text: draft.name for text, draft in heard.items()} == drafts
+    assert dict(heard["harem jumpsuit"].options)["leg_cuff"] > 0
+    assert dict(heard["thong"].options)["leg_height"] > 8
+
+
 def test_a_polo_neck_is_a_turtleneck():
     (draft,) = hear_description("a polo neck", Saying()).drafts
     assert draft.name == "turtleneck"
