@@ -70,7 +70,7 @@ def test_not_too_long_ends_above_the_foot(reader):
         ("churidar pants", "leggings", "length", 104.0),
         ("joined hose", "leggings", "length", 100.0),
         ("hakama", "pull-on-trousers", "leg_ease", 50.0),
-        ("clown trousers", "pull-on-trousers", "flare", 25.0),
+        ("clown trousers", "pull-on-trousers", "leg_ease", 50.0),
     ],
 )
 def test_legs_of_names(text, name, option, least, reader):
