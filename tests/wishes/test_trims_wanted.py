@@ -44,6 +44,24 @@ def test_what_is_wanted_first(text, kind, first):
 
 
 @pytest.mark.parametrize(
+    ("text", "trims"),
+    [
+        ("dirndl dress", {"apron", "lacing"}),
+        ("national costume", {"apron", "lacing", "edging"}),
+        ("house dress", {"buttons", "patch pockets"}),
+        ("forties dress", {"buttons", "buckle belt"}),
+        ("frilly dress", {"neck frill", "sleeve frills", "hem frill"}),
+        ("pirate dress", {"lacing", "hem frill"}),
+        ("peasant dress", {"neck cord"}),
+        ("busuti", {"tie belt"}),
+        ("wedding dress", set()),  # which may have lace, but need not
+    ],
+)
+def test_names_of_dresses_mean_what_they_are_known_by(text, trims):
+    assert {name for wish in trims_wanted(heard(text), kind="dress") for name in wish.choices[0]} == trims
+
+
+@pytest.mark.parametrize(
     ("text", "refused"),
     [
         ("jeans without pockets", POCKETS),
