@@ -125,6 +125,8 @@ def test_comparisons_that_nothing_came_of_are_named(text, unread):
         ("a skirt no longer than the knee", Claim("skirt_hem", "knee")),
         ("a dress that is longer than the knee", Claim("skirt_hem", "below the knee")),
         ("a dress with sleeves no longer than the elbow", Claim("sleeves", "elbow")),
+        ("a blouse not longer than the hip bone", Claim("top_hem", "high hip")),
+        ("a top cropped at the natural waist", Claim("top_hem", "waist")),
         ("ein Kleid übers Knie, hinten geschlitzt", Claim("skirt_hem", "below the knee")),
         ("ein Kleid übers Knie, hinten geschlitzt", Claim("slit", "back")),
     ],

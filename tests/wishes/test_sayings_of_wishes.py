@@ -106,6 +106,8 @@ def test_one_slit_refuses_others(reader):
     never = hear_description("a dress with one slit, right side only", reader).never
     assert Claim("slit", "left") in never and Claim("slit", "right") not in never
     assert Claim("slit", "left") not in hear_description("a dress with slits", reader).never
+    beside_a_side = hear_description("a column gown, slit to mid-thigh on the right", reader).never
+    assert Claim("slit", "left") in beside_a_side and Claim("slit", "right") not in beside_a_side
 
 
 def test_a_skirt_with_godets_that_swings_is_not_flared_from_the_waist(reader):

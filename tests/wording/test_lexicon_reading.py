@@ -230,6 +230,7 @@ def test_a_denied_detail_is_not_missing():
         ("wide skinny jeans", ("wide", "skinny jeans")),
         ("a backless top with a high closed back", ("backless", "closed back")),
         ("sleeveless dress with long sleeves", ("sleeveless", "long sleeves")),
+        ("collarless shirt with a big lapel collar", ("collarless", "big lapel collar")),
     ],
 )
 def test_contradictions_are_named(text, pair):
@@ -244,6 +245,7 @@ def test_contradictions_are_named(text, pair):
         "midi dress below the knee",
         "sleeveless hoodie",
         "no mini, maxi dress",
+        "a hoodie, long enough that my belly button does not show",
     ],
 )
 def test_what_fits_together_is_no_contradiction(text):

@@ -75,13 +75,15 @@ _COMPARED = re.compile(
     r"(?<!\w)(?P<no>(?:no|not|nothing|never|n['’]t be|nicht)\s+(?:\w+\s+)?)?"
     r"(?P<how>longer|lower|länger|shorter|higher|kürzer)\s+(?:than|als)\s+"
     r"(?:(?:the|my|to the|das|die|der)\s+)?"
-    r"(?P<level>knee|knie|mid-?calf|calf|calves|wade|ankle|knöchel|floor|ground|thigh|hip|waist|elbow|wrist)"
+    r"(?P<level>knee|knie|mid-?calf|calf|calves|wade|ankle|knöchel|floor|ground|thigh|hip ?bone"
+    r"|hip|waist|elbow|wrist)"
 )
 _NOT_PAST = re.compile(
     r"(?<!\w)(?:nothing|not|never|n['’]t)"
     r"(?: (?:to |should |must |can |may )?(?:go|goes|reach|reaches|come|comes|end|ends|be|fall|falls))?"
     r" (?:below|past|beyond|under|lower than|further than)\s+(?:(?:the|my|her)\s+)?"
-    r"(?P<level>knees?|mid-?calf|calf|calves|ankles?|thighs?|hips?|waist|elbows?|wrists?)(?!\w)"
+    r"(?P<level>knees?|mid-?calf|calf|calves|ankles?|thighs?|hip ?bones?|hips?|waist|elbows?"
+    r"|wrists?)(?!\w)"
 )
 """What nothing may go beyond is where it ends: "nothing below the knee"."""
 _LEVELS = {
@@ -94,7 +96,7 @@ _LEVELS = {
         **{"knee": "knee", "knie": "knee", "mid-calf": "calf", "midcalf": "calf", "calf": "calf"},
         **{"calves": "calf", "wade": "calf", "ankle": "ankle", "knöchel": "ankle", "thigh": "mid-thigh"},
     },
-    "top_hem": {"hip": "hip", "waist": "waist"},
+    "top_hem": {"hip": "hip", "hip bone": "high hip", "hipbone": "high hip", "waist": "waist"},
     "sleeves": {"elbow": "elbow", "wrist": "long"},
 }
 """Hems at a height of the body."""

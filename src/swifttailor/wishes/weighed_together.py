@@ -18,9 +18,11 @@ _BEHIND = {"v": "v", "square": "square", "round": "round", "scoop": "round", "cr
 """Shapes of back necklines by those of front ones."""
 _ONE_SLIT = re.compile(
     r"(?<!\w)(?:(?:one|single|only one|just one|only a|just a) (?:\w+ )?(?:slit|split|vent)"
-    r"|(?:slit|split|vent)[^.;]{0,30}(?<!\w)only)(?!\w)",
+    r"|(?:slit|split|vent)[^.;]{0,30}(?<!\w)only"
+    r"|(?:slit|split)(?!\w)[^.;,]{0,30}(?<!\w)(?:on|at|up|in) the (?:left|right))(?!\w)",
     re.IGNORECASE,
 )
+"""That there is one: it is called so, or stands in the singular beside the side that it is on."""
 _SIZES_OF_WORDS = (
     ("cuff_cm", "cuffs", "deep", 12.0, 99.0),
     ("sleeve_cm", "sleeves", "cap", 3.0, 17.0),
