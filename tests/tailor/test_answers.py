@@ -65,24 +65,24 @@ def test_what_is_said_in_known_words_is_done_though_the_network_is_not_sure(tail
 
 
 def test_what_was_not_understood_is_named_beside_what_was_done(tailor):
-    made = tailor.edit(DRESS, "make it glorped and 12 cm longer with a bow")
+    made = tailor.edit(DRESS, "make it glorped and 12 cm longer with sequins")
     assert (
         'Not understood: "glorped".' in made.notes
-        and "Cannot be made: bows, ribbons and knots." in made.notes
+        and "Cannot be made: embroidery, beads and sequins." in made.notes
     )
-    assert made.needs_a_look, "12 cm longer, but without a bow, and who knows what glorped is"
-    assert made.report["heard"]["cannot"] == ["bows, ribbons and knots"]
+    assert made.needs_a_look, "12 cm longer, but without sequins, and who knows what glorped is"
+    assert made.report["heard"]["cannot"] == ["embroidery, beads and sequins"]
     assert made.report["not_understood"] == ["glorped"]
 
 
-@pytest.mark.parametrize("lost", ["glorp it", "make it 20 cm glorpier", "sew on a bow"])
+@pytest.mark.parametrize("lost", ["glorp it", "make it 20 cm glorpier", "sew on sequins"])
 @pytest.mark.parametrize("order", ["{lost} and make it 12 cm longer", "make it 12 cm longer and {lost}"])
 def test_of_two_wishes_the_one_that_is_lost_is_said(tailor, lost, order):
     """Whichever comes first; and the other one is done."""
     made = tailor.edit(DRESS, order.format(lost=lost))
     assert measure_facts(made.pattern).length - measure_facts(DRESS).length == pytest.approx(12, abs=1)
     said = [note for note in made.notes if note.startswith(("Not understood: ", "Cannot be made: "))]
-    assert said and any(word in said[0] for word in ("glorp", "20 cm", "bow"))
+    assert said and any(word in said[0] for word in ("glorp", "20 cm", "sequins"))
     assert made.needs_a_look
 
 

@@ -34,7 +34,7 @@ def tailor(tmp_path, sewer):
         ("a wrap dress", "wrap-dress", 11),
         ("a short-sleeved wrap top", "wrap-top", 8),
         ("a polo shirt", "polo-shirt", 16),
-        ("a blazer", "blazer", 12),
+        ("a blazer", "blazer", 16),
         ("bodysuits", "bodysuit", 12),
         ("a red swimsuit", "swimsuit", 8),
         ("dungarees", "dungarees", 10),

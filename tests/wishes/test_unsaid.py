@@ -31,6 +31,7 @@ UNUSUAL = {
     "joggers": {("leg_cuffs", "none")},
     "fitted-top": {("top_hem", "hip")},
     "bodysuit": {("leg_hem", "full")},
+    "briefs": {("leg_hem", "full")},
     "swimsuit": {("leg_hem", "full")},
     "wrap-skirt": {("slit", "none")},
     "sarong": {("slit", "none")},

@@ -35,7 +35,7 @@ def said(text: str) -> set[str]:
         ("macaquinho jeans sem manga", "pt", {"kind=playsuit", "sleeves=none"}),
         ("moletom com touca", "pt", {"kind=top", "hood=hood"}),
         ("felpa col capuccio smanicata per palestra", "it", {"kind=top", "hood=hood", "sleeves=none"}),
-        ("mutandoni della nonna", "it", {"kind=shorts", "leg_hem=knee"}),
+        ("mutandoni della nonna", "it", {"kind=shorts", "leg_hem=calf"}),
         ("hansop voor volwassenen met muts eraan", "nl", {"kind=jumpsuit", "hood=hood"}),
         ("boerenkiel", "nl", {"kind=top", "sleeves=long"}),
     ],

@@ -18,6 +18,10 @@ _PIECES = 6
 _STEP = 1e-4
 
 
+NARROWEST_CM = 2.0
+"""Narrower scallops are none."""
+
+
 @dataclass(frozen=True)
 class HemShape:
     """How the hem is cut."""
@@ -32,7 +36,7 @@ class HemShape:
     @property
     def level(self) -> bool:
         """Whether nothing is to be drawn."""
-        return not self.dip and not self.scallop_width
+        return not self.dip and self.scallop_width < NARROWEST_CM
 
 
 LEVEL = HemShape()
