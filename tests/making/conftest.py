@@ -58,7 +58,7 @@ TRIMMED = {
     "dirndl": ("skater-dress", ("neck frill", "lacing", "apron", "hem frill")),
     "blouse": ("shirt", ("neck bow", "sleeve frills", "edging")),
     "vest": ("tank-top", ("neck rib", "armhole ribs")),
-    "slip": ("camisole", ("lace trim", "waist bow")),
+    "slip": ("fitted-dress", ("lace trim", "waist bow")),
     "flapper dress": ("drop-waist-dress", ("hem fringe", "neck cord")),
 }
 """Name of a draft and what is put on it: between them all trims that there are."""
