@@ -168,6 +168,8 @@ def lay_loose_bodice(table: CuttingTable, figure: Figure, shape: LooseBodice) ->
     if shape.front_closed_to is not None:
         slit = max(shape.length - shape.front_closed_to, 0.0) if shape.front_opening else 0.0
     on_seat = min(max((shape.length - _ABOVE_SEAT_CM) / _ABOVE_SEAT_CM, 0.0), 1.0)
+    if shape.front_opening < 0.0:  # fronts that lie over each other would stand out in front
+        on_seat = 0.0
     behind = on_seat * runs_back(chest, body, widening, under_y - hem_y)
     length, followed = None, None
     for side, half in (("f", chest.front), ("b", chest.back)):

@@ -75,6 +75,8 @@ def neck_bow(chalk: Chalk, name: str) -> list[Trim]:
     if place is None:
         return []
     panel, x, y = place
+    if not chalk.views[panel].holds([(x, y - _BELOW_NECK)]):
+        return []
     u, v = chalk.views[panel].local([(x, y - _BELOW_NECK)])[0].tolist()
     return [Bow(name, panel, (u, v), _BOW * chalk.size, _BOW_TAIL * chalk.size)]
 
@@ -87,7 +89,7 @@ def waist_bow(chalk: Chalk, name: str) -> list[Trim]:
         if view is None or column is None:
             continue
         y = (column[0] + column[1]) / 2 if panel == "wb_front" else max(chalk.waist, column[0]) + 1.0
-        if y < column[1] - 3.0 or panel == "wb_front":
+        if (y < column[1] - 3.0 or panel == "wb_front") and view.holds([(0.3, y)]):
             u, v = view.local([(0.3, y)])[0].tolist()
             return [Bow(name, panel, (u, v), _BOW * chalk.size, _BOW_TAIL * chalk.size)]
     return []
