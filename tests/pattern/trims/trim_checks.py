@@ -25,6 +25,7 @@ def corners(trim: Patch | Button | Bow) -> np.ndarray:
 
 def assert_on_panels(pattern: Pattern, trims: tuple[Trim, ...]) -> None:
     """Corners lie on the panel, and what is between them on cloth or in darts, which are sewn shut."""
+    cloths: dict[str, tuple[shapely.Geometry, ...]] = {}
     for trim in trims:
         if isinstance(trim, Belt):
             assert 0 < trim.width < 12 and 20 < trim.height < 160, trim
@@ -35,12 +36,16 @@ def assert_on_panels(pattern: Pattern, trims: tuple[Trim, ...]) -> None:
             assert len(set(trim.edges)) == len(trim.edges) and all(map(pattern.has_edge, trim.edges))
             assert 0 < trim.depth < 20, trim
             continue
-        panel = shapely.Polygon(pattern.panel(trim.panel).outline(0.002))
+        if trim.panel not in cloths:
+            outline = shapely.Polygon(pattern.panel(trim.panel).outline(0.002))
+            wedges = darts(pattern, trim.panel)
+            roomy = shapely.union_all([outline.buffer(ON_PANEL), *wedges])
+            cloths[trim.panel] = outline, shapely.union_all([outline, *wedges]), roomy
+        panel, bridged, roomy = cloths[trim.panel]
         points = corners(trim)
         assert np.isfinite(points).all(), trim
-        on = panel
-        if isinstance(trim, Patch) and not trim.is_cut:  # lines run on over what is sewn shut
-            on = shapely.union_all([panel, *darts(pattern, trim.panel)])
+        # Lines run on over what is sewn shut.
+        on = bridged if isinstance(trim, Patch) and not trim.is_cut else panel
         away = shapely.distance(on, shapely.points(points)).max()
         assert away <= ON_PANEL, f"{trim.trim}: {away:.2f} cm beside {trim.panel}"
         if isinstance(trim, Patch):
@@ -48,9 +53,7 @@ def assert_on_panels(pattern: Pattern, trims: tuple[Trim, ...]) -> None:
             piece = shapely.Polygon(points)
             assert piece.is_valid, f"{trim.trim} on {trim.panel} crosses itself"
             assert piece.area > 0.5, f"{trim.trim} on {trim.panel} has no area"
-            beside = piece.difference(
-                shapely.union_all([panel.buffer(ON_PANEL), *darts(pattern, trim.panel)])
-            )
+            beside = piece.difference(roomy)
             assert beside.area < 0.01 * piece.area, f"{trim.trim} hangs over {trim.panel}"
         elif isinstance(trim, Bow):
             assert 4 < trim.width < 30 and 4 < trim.tail < 30
