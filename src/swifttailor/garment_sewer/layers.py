@@ -12,7 +12,7 @@ from swifttailor.garment_sewer.pixels.body_distance import BodyDistance
 from swifttailor.panel_mesh.pattern_mesh import PatternMesh
 from swifttailor.pattern.overlaps import overlapping_fronts
 
-LIFTED_CM, TURNED_DOWN_CM = 0.6, 0.9
+LIFTED_CM, TURNED_DOWN_CM = 0.6, 1.3
 """So far collars are lifted off the bodice that they lie on. Of those that are
 turned down over a stand both are lifted by the latter, and what is turned down twice."""
 OVERLAPPING_CM = 1.5
