@@ -12,6 +12,7 @@ import shapely
 
 from swifttailor.making import cutting_plan
 from swifttailor.making.centre_folds import fold_centres, fold_with_trims
+from swifttailor.making.decoration_steps import decorations
 from swifttailor.making.marker_files import marker_dxf
 from swifttailor.making.nesting import pack_boxes
 from swifttailor.making.notch_check import notch_faults
@@ -292,3 +293,16 @@ def test_recut_fronts_keep_their_buttons():
     middle = shapely.LineString(next(m.points for m in piece.marks if m.words == "centre front"))
     assert len(row) == 5 and all(set(m.panels) == {"left_ftorso", "right_ftorso"} for m in row)
     assert max(middle.distance(shapely.Point(m.points[0])) for m in row) < 0.01
+
+
+def test_strips_are_as_long_where_their_panels_are_cut_on_the_fold(trimmed):
+    """Folded, a front has another name, and its edges are counted anew."""
+    pattern = trimmed["vest"]
+    folded, moved = fold_with_trims(pattern, front=True, back=True)
+    assert len(folded.panels) < len(pattern.panels)
+    plain, on_fold = (
+        dict(decorations(plan)) for plan in (cutting_plan(pattern), cutting_plan(folded, trims=moved))
+    )
+    assert plain == on_fold and "cm in all" in plain["Ribbed band at the neck"]
+    (neck,) = (trim for trim in moved if trim.trim == "neck rib")
+    assert neck.length > 40.0

@@ -127,7 +127,7 @@ def _runs(garment: Garment, frill: Frill) -> Iterator[tuple[Floats, Floats, Floa
         along /= np.maximum(np.linalg.norm(along, axis=1, keepdims=True), 1e-9)
         away -= (away * along).sum(axis=1, keepdims=True) * along
         away /= np.maximum(np.linalg.norm(away, axis=1, keepdims=True), 1e-9)
-        at = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1))])
+        at = _travelled(points)
         if at[-1] < 2 * _STEP:
             continue
         even = np.linspace(0.0, at[-1], max(int(at[-1] / _STEP), 3) + 1)
@@ -136,6 +136,11 @@ def _runs(garment: Garment, frill: Frill) -> Iterator[tuple[Floats, Floats, Floa
             for each in (points, away, garment.vertex_normals[run])
         ]
         yield rows[0], rows[1], rows[2]
+
+
+def _travelled(line: Floats) -> Floats:
+    """(n,) how far along a line (n, 3) each of its points is, cm."""
+    return np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(line, axis=0), axis=1))])
 
 
 def _inward(garment: Garment) -> Floats:
@@ -168,7 +173,7 @@ def _strip(
     line: Floats, ways: Floats, normals: Floats, depth: float, swing: float = _SWING
 ) -> tuple[Floats, Ints, Ints]:
     """A gathered strip: waves that grow towards its border. Vertices, faces and lines that show."""
-    at = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(line, axis=0), axis=1))])
+    at = _travelled(line)
     waves = max(round(float(at[-1]) / (_WAVE * depth)), 1)
     phase = 2 * np.pi * waves * at / at[-1]
     share = np.linspace(0.0, 1.0, _ROWS)[:, None, None]
@@ -184,7 +189,7 @@ def _strip(
 
 def _threads(line: Floats, ways: Floats, normals: Floats, depth: float) -> tuple[Floats, Ints, Ints]:
     """Threads that hang beside each other; vertices, faces, and no lines."""
-    at = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(line, axis=0), axis=1))])
+    at = _travelled(line)
     places = np.arange(0.5 * _THREADS_APART, at[-1], _THREADS_APART)
     index = np.clip(np.searchsorted(at, places) - 1, 0, len(line) - 2)
     along = line[index + 1] - line[index]

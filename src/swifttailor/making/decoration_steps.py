@@ -57,16 +57,14 @@ def decorations(plan: CuttingPlan) -> Iterator[tuple[str, str]]:
             continue
         seen.add(trim.trim)
         if isinstance(trim, Frill):
-            yield _TITLES[trim.trim], _frill(plan, trim)
+            yield _TITLES[trim.trim], _frill(trim)
         elif trim.trim in _OTHERS:
             yield _OTHERS[trim.trim]
 
 
-def _frill(plan: CuttingPlan, frill: Frill) -> str:
+def _frill(frill: Frill) -> str:
     """What to cut for a strip, and how it is sewn on."""
-    pattern = plan.sewn.pattern
-    edges = [ref for ref in frill.edges if any(panel.name == ref.panel for panel in pattern.panels)]
-    length = sum(pattern.edge_length(ref) for ref in edges if pattern.has_edge(ref))
+    length = frill.length
     if frill.kind == "gathered":
         strip = 10 * math.ceil(_FULLNESS * length / 10)
         return (

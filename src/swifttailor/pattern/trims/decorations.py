@@ -6,10 +6,11 @@ import itertools
 
 import numpy as np
 
+from swifttailor.pattern.pattern import EdgeRef
 from swifttailor.pattern.trims.chalk import Chalk
 from swifttailor.pattern.trims.free_edges import armhole_edges, hem_edges, neck_edges, sleeve_ends
 from swifttailor.pattern.trims.front_view import front_edge
-from swifttailor.pattern.trims.shapes import Bow, Frill, Trim
+from swifttailor.pattern.trims.shapes import Bow, Frill, StripKind, Trim
 
 _NECK_FRILL, _SLEEVE_FRILL, _HEM_FRILL, _FRINGE = 4.0, 5.0, 8.0, 12.0
 """How far each goes beyond its edge, cm."""
@@ -30,43 +31,49 @@ and the shortest skirt that has room for one, cm."""
 def neck_rib(chalk: Chalk, name: str) -> list[Trim]:
     """A flat band around a neck that has no collar."""
     edges = neck_edges(chalk.pattern)
-    if not edges or any("collar" in ref.panel for ref in edges):
+    if any("collar" in ref.panel for ref in edges):
         return []
-    return [Frill(name, edges, _RIB * chalk.size, "flat")]
+    return _along(chalk, name, edges, _RIB, "flat")
 
 
 def armhole_ribs(chalk: Chalk, name: str) -> list[Trim]:
     """A flat band around each armhole without a sleeve."""
-    edges = armhole_edges(chalk.pattern)
-    return [Frill(name, edges, 0.8 * _RIB * chalk.size, "flat")] if edges else []
+    return _along(chalk, name, armhole_edges(chalk.pattern), 0.8 * _RIB, "flat")
 
 
 def neck_frill(chalk: Chalk, name: str) -> list[Trim]:
     """A gathered strip around the neck, or on top of the collar."""
-    edges = neck_edges(chalk.pattern)
-    return [Frill(name, edges, _NECK_FRILL * chalk.size)] if edges else []
+    return _along(chalk, name, neck_edges(chalk.pattern), _NECK_FRILL)
 
 
 def sleeve_frills(chalk: Chalk, name: str) -> list[Trim]:
     """A gathered strip at the end of each sleeve."""
-    edges = sleeve_ends(chalk.pattern)
-    return [Frill(name, edges, _SLEEVE_FRILL * chalk.size)] if edges else []
+    return _along(chalk, name, sleeve_ends(chalk.pattern), _SLEEVE_FRILL)
 
 
 def hem_frill(chalk: Chalk, name: str) -> list[Trim]:
     """A gathered strip or threads along the hem."""
-    edges, fringe = hem_edges(chalk.pattern), name == "hem fringe"
-    depth = (_FRINGE if fringe else _HEM_FRILL) * chalk.size
-    return [Frill(name, edges, depth, "threads" if fringe else "gathered")] if edges else []
+    edges = hem_edges(chalk.pattern)
+    if name == "hem fringe":
+        return _along(chalk, name, edges, _FRINGE, "threads")
+    return _along(chalk, name, edges, _HEM_FRILL)
 
 
 def edging(chalk: Chalk, name: str) -> list[Trim]:
     """A narrow strip along neck, hem and ends of sleeves; lace is wider, and not around a collar."""
     of_lace, pattern = name == "lace trim", chalk.pattern
     edges = (*neck_edges(pattern), *hem_edges(pattern), *(() if of_lace else sleeve_ends(pattern)))
-    edges = tuple(dict.fromkeys(edges))
-    width = (_LACE_TRIM if of_lace else _EDGING) * chalk.size
-    return [Frill(name, edges, width, "flat")] if edges else []
+    return _along(chalk, name, tuple(dict.fromkeys(edges)), _LACE_TRIM if of_lace else _EDGING, "flat")
+
+
+def _along(
+    chalk: Chalk, name: str, edges: tuple[EdgeRef, ...], depth: float, kind: StripKind = "gathered"
+) -> list[Trim]:
+    """A strip along edges, as deep as on an adult, cm; nothing where there are no edges."""
+    if not edges:
+        return []
+    length = sum(chalk.pattern.edge_length(ref) for ref in edges)
+    return [Frill(name, edges, depth * chalk.size, length, kind)]
 
 
 def neck_bow(chalk: Chalk, name: str) -> list[Trim]:
@@ -156,7 +163,7 @@ def apron(chalk: Chalk, name: str) -> list[Trim]:
 
 
 def _below_the_neck(chalk: Chalk) -> tuple[str, float, float] | None:
-    """Panel, x and height of the middle of the front below the neck; on a collar where that goes around."""
+    """The left front, x of the middle beside its edge, and the height of the neck there, cm."""
     seam = front_edge(chalk.pattern)
     if seam is None or seam[1].panel not in chalk.views:
         return None

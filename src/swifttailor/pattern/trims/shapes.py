@@ -8,6 +8,7 @@ from typing import Literal
 from swifttailor.arrays import Floats
 from swifttailor.pattern.pattern import EdgeRef
 
+StripKind = Literal["gathered", "threads", "flat"]
 Look = Literal["cloth", "dark", "metal"]
 
 
@@ -65,7 +66,9 @@ class Frill:
     """Free edges of panels, in any order."""
     depth: float
     """How far it goes beyond them, cm; of a flat one, how wide it is."""
-    kind: Literal["gathered", "threads", "flat"] = "gathered"
+    length: float
+    """Of all of its edges together, cm."""
+    kind: StripKind = "gathered"
     """Flat ones lie on the cloth."""
 
 
