@@ -82,7 +82,7 @@ def test_every_recipe_goes_from_nothing_to_a_model_file(tmp_path):
     parameters = ParameterReader.load(work / "parameter-reader/parameter_reader.onnx")
     assert parameters.card["data"]["patterns"] == 40 and len(parameters.parameters) > 40
     designer = LatentDesigner.load(work / "latent-diffusion/latent_diffusion.zip")
-    assert designer.shape == (64, 6) and designer.card["data"]["patterns"] == 6
+    assert designer.shape == (64, 6) and 2 <= designer.card["data"]["patterns"] <= 6
     assert designer.card["trained"]["denoiser"]["steps"] == 3
     names = [work / f"plain-reader/plain_{name}.onnx" for name in ("reader", "neck", "details")]
     plain = PictureReader.load(files["PictureReader"], plain=names).plain()

@@ -203,7 +203,8 @@ def lay_loose_bodice(table: CuttingTable, figure: Figure, shape: LooseBodice) ->
             across = (start + _LEVEL_TO * (hem_x - start), hem_y - drop)
             outline.cubic("hem", across, (start + _LEVEL_FROM * (hem_x - start), corner[1]), corner)
         elif abs(corner[1] - hem_y) + drop > 0.01:
-            outline.quadratic("hem", (hem_x * 0.6, hem_y - drop), corner)
+            level = max(hem_x * 0.6, start + 0.2 * (hem_x - start))  # wide openings start beyond
+            outline.quadratic("hem", (level, hem_y - drop), corner)
         else:
             outline.line("hem", *corner)
         if along is not None:
