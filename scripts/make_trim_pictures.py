@@ -1,4 +1,4 @@
-"""Draws the picture of docs/trims.md: drafts with pockets, buttons, zips and belts, sewn by the network.
+"""Draws the picture of docs/trims.md: drafts with pockets, buttons, belts, frills and bows, sewn by the network.
 
 .venv/bin/python scripts/make_trim_pictures.py
 """
@@ -21,6 +21,9 @@ WORN = (
     ("hoodie", ("kangaroo pocket", "zip"), "#8d9096"),
     ("dungarees", ("bib pocket", "slant pockets", "back pockets"), "#6b6a4e"),
     ("denim-jacket", ("buttons", "chest pockets"), "#2c3e5c"),
+    ("shirt-dress", ("neck bow", "buttons", "sleeve frills", "hem frill"), "#a8616b"),
+    ("t-shirt", ("neck rib", "chest pocket", "hem fringe"), "#5f7d72"),
+    ("skater-dress", ("lacing", "apron", "lace trim"), "#4f6b94"),
 )
 COLUMNS, TILE = 3, (440, 264)
 
