@@ -21,8 +21,16 @@ if TYPE_CHECKING:
     from swifttailor.garment.part_looks import PanelLook
     from swifttailor.render.prints import KnownPrint
 
-_SHEEN = {"silk": 0.28, "denim": 0.06, "twill": 0.08, "leather": 0.16, "polyester": 0.16, "swimwear": 0.16}
-_GLOSS = {"silk": 0.15, "leather": 0.10, "polyester": 0.04, "swimwear": 0.05}
+_SHEEN = {
+    "silk": 0.14,
+    "satin": 0.28,
+    "denim": 0.06,
+    "twill": 0.08,
+    "leather": 0.16,
+    "polyester": 0.13,
+    "swimwear": 0.16,
+}
+_GLOSS = {"silk": 0.02, "satin": 0.13, "leather": 0.25, "polyester": 0.02, "swimwear": 0.05}
 """Of cloths that shine otherwise than cotton does."""
 _WOVEN, _REPEATS_CM = ("stripes", "checks", "plaid"), 48.0
 """Prints that go through to the wrong side, and a width over which they repeat."""

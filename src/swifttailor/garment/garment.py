@@ -33,7 +33,7 @@ class Garment:
     """Of the right side of the cloth, ``#rrggbb``; what its pattern has by itself (`cloth_color`) if None."""
 
     cloth: str | None = None
-    """What it is of, a name of `draping.FABRICS`, for how it shines; of cotton if None."""
+    """What it is of, a name of `draping.FABRICS` or satin, for how it shines; of cotton if None."""
     print: ClothPrint | None = None
     """Of the right side of the cloth; one colour if None."""
     looks: tuple[PartLook, ...] = ()

@@ -29,6 +29,7 @@ from swifttailor.tailor.verdict import Verdict
 from swifttailor.tailor.worn_shoulders import SLIPS, slips_off
 from swifttailor.wishes.flecks import flecked
 from swifttailor.wishes.ribs import ribbed
+from swifttailor.wishes.satin import SATIN, is_satin
 
 if TYPE_CHECKING:
     from swifttailor.draping.fabric import Fabric
@@ -316,6 +317,8 @@ def _handed_over(garment: Garment, answer: Answer, predicted: Any, body: Body | 
         woven = flecked(color) if wanted.heard.is_flecked else woven
         looks = tuple([look for look in wanted.looks if has_part(garment.pattern, look.part)])
         garment = replace(garment, color=wanted.color, print=wanted.print or woven, looks=looks)
+        if garment.cloth == "silk" and wanted.heard.words is not None and is_satin(wanted.heard.words):
+            garment = replace(garment, cloth=SATIN)
     return Tailored(
         garment,
         replace(answer, prepared=None),
