@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 from swifttailor.body.wearer import body_of
 from swifttailor.clock import Clock
 from swifttailor.errors import InputError, NothingAskedError, SwiftTailorError
-from swifttailor.garment_sewer.sewer import BATCH, GarmentSewer
+from swifttailor.garment_sewer.sewer import BATCH
 from swifttailor.pattern import Pattern, check_pattern
 from swifttailor.pattern.check import require_no_errors
 from swifttailor.pattern.panel import RotationReading
@@ -212,7 +212,7 @@ class Tailor(Workshop):
             require_no_errors(check_pattern(order.edit), "The pattern to edit")
         clock = Clock()
         say("loading", 0.0)
-        self._open(order)
+        self.open_for(order)
         clock.stop("loading")
         body = body_wanted(order, self.body if self.fits else None)
         options = SewingOptions(order.edge_length, finish=order.finish, relax=order.relax)
@@ -288,20 +288,6 @@ class Tailor(Workshop):
         sought = self.library_for([order]) is not None or self.designer_for([order]) is not None
         asked = order.text.strip() and sought
         return replace(read, foresight=self.panel_foresight) if asked else read
-
-    def _open(self, order: Order) -> None:
-        """Opens the networks that an order needs, so that their time is not another stage's."""
-        if self.library_for([order]) is None:
-            _ = self.pattern_maker
-        elif order.text.strip():
-            _ = self.panel_foresight
-        _ = self.designer_for([order])
-        _ = self.garment_sewer, self.wish_reader if order.alter else None
-        _ = self.picture_reader if order.alter and order.images else None
-        if isinstance(self.garment_sewer, GarmentSewer):
-            import swifttailor.tailor.writing  # noqa: F401  modules are loaded by one thread at a time
-
-            self.garment_sewer.load_drape()
 
     def sew(
         self,

@@ -208,3 +208,17 @@ class Workshop:
             COMPILE_NOTE: finish and not solver_is_compiled(),
         }
         return [note for note, must_wait in waits.items() if must_wait]
+
+    def open_for(self, order: Order) -> None:
+        """Opens the networks that an order needs, so that their time is not another stage's."""
+        if self.library_for([order]) is None:
+            _ = self.pattern_maker
+        elif order.text.strip():
+            _ = self.panel_foresight
+        _ = self.designer_for([order])
+        _ = self.garment_sewer, self.wish_reader if order.alter else None
+        _ = self.picture_reader if order.alter and order.images else None
+        if isinstance(self.garment_sewer, GarmentSewer):
+            import swifttailor.tailor.writing  # noqa: F401  modules are loaded by one thread at a time
+
+            self.garment_sewer.load_drape()
