@@ -318,3 +318,39 @@ def test_reading_needs_no_network_and_loads_late():
 def test_a_plain_collar_is_the_one_that_a_garment_wears(text, collar):
     found = [i.claim.value for i in read_words(text).implications if i.claim.name == "collar"]
     assert found == [collar]
+
+
+def test_what_is_not_allowed_is_refused() -> None:
+    reading = read_words("My boss says sleeveless is not ok. A plain dress with elbow sleeves.")
+    assert [mark.word for mark in reading.marks if mark.denied] == ["sleeveless"]
+    assert not reading.contradictions
+
+
+def test_a_comma_ends_what_is_denied() -> None:
+    reading = read_words("We have no budget, so it's a long brown skirt")
+    assert not reading.never
+    assert reading.colors
+
+
+def test_the_jacket_of_a_dress_is_another_garment() -> None:
+    reading = read_words("a knee length dress with a matching jacket")
+    assert not [i for i in reading.implications if i.claim.name == "sleeves"]
+    assert [lack.what for lack in reading.lacks if lack.said] == ["separate_pieces"]
+
+
+@pytest.mark.parametrize(
+    ("text", "color"),
+    [
+        ("robe longue bleu nuit", "midnight blue"),
+        ("Kleid in Tannengrün", "fir green"),
+        ("falda rosa palo", "dusty pink"),
+        ("gonna color sabbia", "sand"),
+        ("rok in okergeel met zakken in kersenrood", "cherry red"),
+        ("saia verde musgo", "moss green"),
+    ],
+)
+def test_colors_of_other_languages(text: str, color: str) -> None:
+    meant = read_words(color).colors[0].rgb
+    assert meant in [each.rgb for each in read_words(text).colors] + [
+        look.color.rgb for look in read_words(text).looks if look.color is not None
+    ]

@@ -27,6 +27,10 @@ dress with a black top and a white skirt | | bodice black, skirt white
 black long sleeve dress | black |
 lace sleeve dress | | sleeves lace
 pink dress with dark green sleeves | pink | sleeves dark green
+black jumpsuit wide legs no sleeves | black |
+navy skirt knee length | navy |
+coveralls short sleeve orange, leg ends with cuffs | orange |
+just the trousers, white suit like in the film | white |
 black and white dress | black white |
 red and white striped t-shirt with navy sleeves | red white | sleeves navy
 black dress with white polka dots and a white collar | black white | collar white

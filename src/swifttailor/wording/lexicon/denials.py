@@ -106,6 +106,8 @@ def _begin(words: Sequence[Meaning], k: int, near: int, joints: _Joints) -> int 
             return None
         if words[j].category == "garments" and words[j - 1].found.gap == "pause":
             return None  # "nothing on top, a long dress" asks for the dress
+        if j > k and words[j - 1].found.gap == "pause":
+            return None  # "no budget, so a long skirt" asks for the skirt
         if j > k and words[j - 1].found.gap == "pause" and words[j].found.word in joints.ands:
             return None  # "not sad, and with sleeves" goes on to what is wanted
         if not words[j].holds_together:

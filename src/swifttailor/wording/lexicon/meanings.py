@@ -183,7 +183,7 @@ def _with_roles(words: list[Meaning], kind: str | None, denied: frozenset[int]) 
             role = "theirs"
         elif words[k].category == "accessories":
             role = "second"
-        elif main is not None and (_can_hold(words[main], words[k])):
+        elif main is not None and not _is_worn_over(words[k]) and _can_hold(words[main], words[k]):
             role = "part"
         elif main is not None and words[k].entries[0].kinds & words[main].entries[0].kinds:
             role = "like"
@@ -191,6 +191,17 @@ def _with_roles(words: list[Meaning], kind: str | None, denied: frozenset[int]) 
             role = "second"
         words[k] = replace(words[k], role=role)
     return words
+
+
+_OVER = "outerwear.txt"
+_KNITTED = ("cardigan", "shrug")
+
+
+def _is_worn_over(word: Meaning) -> bool:
+    """Whether it is a garment beside others, and no part of one: the jacket that a dress comes with."""
+    return any(
+        e.place[0] == _OVER or any(name.lower() in _KNITTED for name in e.words) for e in word.entries
+    )
 
 
 def _can_hold(whole: Meaning, part: Meaning) -> bool:

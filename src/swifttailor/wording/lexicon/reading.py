@@ -343,7 +343,7 @@ def _lacks(marks: Sequence[WordMark]) -> tuple[Lack, ...]:
         if mark.role == "theirs":
             continue
         for entry in mark.entries:
-            for what in entry.cannot:
+            for what in () if mark.role == "second" and entry.category == "garments" else entry.cannot:
                 said = mark.role not in ("garment", "like")
                 if what not in found or (said and not found[what].said):
                     found[what] = Lack(what, said, mark)

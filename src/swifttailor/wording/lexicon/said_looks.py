@@ -196,6 +196,8 @@ class _Reader:
         if last > j and noun.entries[0].category == "garments":
             bare = _category(first) == "parts" and " " not in first.word and j == k + 1
             return [(j, first.part or "")] if bare else []
+        if any(mark.role == "garment" for mark in self._marks[j:last]):
+            return []  # "black jumpsuit wide legs" is black, as what is typed without commas goes on
         part = self._part(noun)
         if part is None:
             return []
@@ -260,7 +262,7 @@ class _Reader:
 
     def _is_said(self, j: int, links: Sequence[str], k: int) -> bool:
         """Whether a look behind the part j is its own: that of "a dress with long sleeves in navy" is not."""
-        if set(links) & _SAYS_SO or not self._names_garment or not links:
+        if set(links) & _SAYS_SO or not self._names_garment or (links == [] and not self._goes_on(j, k)):
             return True
         if j and self._marks[j - 1].word.lower().split()[-1] in _DEFINITE:
             return True
@@ -273,6 +275,13 @@ class _Reader:
             mark.role == "garment" and n + 1 < len(self._marks) and _is_look(self._marks[n + 1])
             for n, mark in enumerate(self._marks)
         )
+
+    def _goes_on(self, j: int, k: int) -> bool:
+        """Whether the only colour of a text stands behind a detail: "coveralls short sleeve orange" are."""
+        mark = self._marks[j]
+        detail = _category(mark) == "styles" and " " in mark.word
+        colors = [m for m in self._marks if _category(m) == "colors" and _is_look(m)]
+        return detail and colors == [self._marks[k]] and any(m.role == "garment" for m in self._marks[:j])
 
     def _is_bare_part(self, j: int) -> bool:
         mark = self._marks[j]
@@ -294,7 +303,8 @@ class _Reader:
     def _part(self, mark: WordMark) -> str | None:
         """What a noun is of the garment: a part, something that is put on, or a thing of its own (``""``)."""
         if _category(mark) in ("garments", "accessories"):
-            return _part_of_garment(mark) or ("" if mark.role in ("second", "theirs") else None)
+            apart = mark.role in ("second", "theirs") and not _is_outfit(mark)
+            return _part_of_garment(mark) or ("" if apart else None)
         return mark.part or _put_on(mark) or ""
 
     def _is_apart(self, j: int) -> bool:
@@ -328,6 +338,13 @@ def _is_cloth(mark: WordMark) -> bool:
     return any(
         e.category == "fabrics" and e.cloth is not None and e.cloth not in _KNITS and not e.looks
         for e in mark.entries
+    )
+
+
+def _is_outfit(mark: WordMark) -> bool:
+    """Whether it names several garments at once, of which one is asked for: of a white suit the trousers."""
+    return mark.role == "second" and any(
+        e.category == "accessories" and "separate_pieces" in e.cannot for e in mark.entries
     )
 
 

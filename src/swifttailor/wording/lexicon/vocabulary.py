@@ -32,12 +32,12 @@ TABLES: Mapping[Language, tuple[str, ...]] = {
         ),
         *("occasions.txt", "colors.txt", "prints.txt", "fabrics.txt", "sizes.txt", "function_words.txt"),
     ),
-    "de": ("german.txt", "german_lengths.txt", "german_spoken.txt"),
-    "fr": ("french.txt", "french_lengths.txt", "french_spoken.txt"),
-    "es": ("spanish.txt", "spanish_lengths.txt", "spanish_spoken.txt"),
-    "it": ("italian.txt", "italian_lengths.txt", "italian_spoken.txt"),
-    "nl": ("dutch.txt", "dutch_lengths.txt", "dutch_spoken.txt"),
-    "pt": ("portuguese.txt", "portuguese_lengths.txt", "portuguese_spoken.txt"),
+    "de": ("german.txt", "german_lengths.txt", "german_spoken.txt", "german_colors.txt"),
+    "fr": ("french.txt", "french_lengths.txt", "french_spoken.txt", "french_colors.txt"),
+    "es": ("spanish.txt", "spanish_lengths.txt", "spanish_spoken.txt", "spanish_colors.txt"),
+    "it": ("italian.txt", "italian_lengths.txt", "italian_spoken.txt", "italian_colors.txt"),
+    "nl": ("dutch.txt", "dutch_lengths.txt", "dutch_spoken.txt", "dutch_colors.txt"),
+    "pt": ("portuguese.txt", "portuguese_lengths.txt", "portuguese_spoken.txt", "portuguese_colors.txt"),
 }
 _TRANSLATIONS = "words"
 """Section of the tables of other languages."""
