@@ -19,6 +19,42 @@ from swifttailor.wishes.wearer_words import hear_wearer
         ("US 8 dress", "dress", "women US 8", None, None),
         ("a dress for a woman of 160 cm", "a dress", None, {"height": 160.0}, "women"),
         ("trousers for a man who is 1.9 m tall", "trousers", None, {"height": 190.0}, "men"),
+        (
+            "dress, bust 52 inches, waist 46, hips 58",
+            "dress",
+            None,
+            {"bust": 132, "waist": 117, "hips": 147},
+            None,
+        ),
+        (
+            "sundress, bust 31, waist 25, hips 34",
+            "sundress",
+            None,
+            {"bust": 79, "waist": 64, "hips": 86},
+            None,
+        ),
+        ("trousers, waist 34", "trousers", None, {"waist": 86}, None),
+        (
+            "schmale Hose, Brust 98, Taille 86, Hüfte 106",
+            "schmale Hose",
+            None,
+            {"bust": 98, "waist": 86, "hips": 106},
+            None,
+        ),
+        (
+            "camisa, pecho 128 cintura 124 y mido 1.70",
+            "camisa, y",
+            None,
+            {"bust": 128, "waist": 124, "height": 170},
+            None,
+        ),
+        (
+            "a black robe, I have 92-74-101",
+            "a black robe, I have",
+            None,
+            {"bust": 92, "waist": 74, "hips": 101},
+            None,
+        ),
         ("a petite midi dress", "a midi dress", None, {"height": 157.0}, "women"),
         ("I'm 6ft, a maxi dress", "I'm, a maxi dress", None, {"height": 183.0}, None),
         ("for a 5'10\" woman, a jumpsuit", "for a woman, a jumpsuit", None, {"height": 178.0}, "women"),
@@ -108,3 +144,7 @@ def test_looks_and_inches_of_garments_are_no_wearers(text):
 def test_other_feet_and_other_small_things_are_nobodys_height(text):
     heard = hear_wearer(text)
     assert heard.wearer is None and heard.rest == text
+
+
+def test_a_lone_french_size_is_no_waist():
+    assert hear_wearer("jupe taille 42").rest == "jupe taille 42"

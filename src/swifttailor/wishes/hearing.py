@@ -30,6 +30,7 @@ from swifttailor.wishes.mentions import find_mentions
 from swifttailor.wishes.one_arm import of_one_arm, of_two_arms, with_both_arms
 from swifttailor.wishes.reader import Wish, WishReader
 from swifttailor.wishes.sayings_of_wishes import plainly_wished, without_asides
+from swifttailor.wishes.side_remarks import without_side_remarks
 from swifttailor.wishes.spoken_faces import spoken_faces
 from swifttailor.wishes.spoken_hems import spoken_bounds, spoken_hem, spoken_slit
 from swifttailor.wishes.spoken_measures import SpokenMeasure, same_number, spoken_measures
@@ -97,7 +98,7 @@ def _is_named(heard: Heard) -> bool:
 
 
 def _heard_description(text: str, reader: WishReader) -> Heard:
-    text, words = text_as_read(without_asides(text))
+    text, words = text_as_read(without_side_remarks(without_asides(text)))
     own, before = text, words
     if (plain := plainly_wished(text)) != text:
         text, words = plain, read_words(plain)

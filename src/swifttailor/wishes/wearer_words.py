@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from swifttailor.body.size_charts import charts, find_size
 from swifttailor.body.wearer import Wearer
 from swifttailor.errors import InputError
+from swifttailor.wishes.girth_names import with_english_girths
 from swifttailor.wishes.not_the_wearer import hide_others, with_finished_chest
 from swifttailor.wording.lexicon import read_words
 
@@ -80,7 +81,7 @@ def hear_wearer(text: str, *, instruction: bool = False) -> HeardWearer:
     """
     found: dict[str, str] = {}
     measures: dict[str, float] = {}
-    text = _with_metric_heights(text)
+    text = _with_metric_heights(text if instruction else with_english_girths(text))
     hidden = hide_others(text if instruction else with_finished_chest(text))
     rest = text = hidden.text
     for pattern, take in _PHRASES:

@@ -1,0 +1,70 @@
+"""Remarks about other garments that are worn with the one that is asked for: "to throw over a strappy dress".
+
+They say nothing of its cut, and a network takes their garment for the one that is meant. So they are left out
+where another garment is named beside them.
+"""
+
+from __future__ import annotations
+
+import re
+
+from swifttailor.wording.lexicon import read_words
+
+_HEAD = (
+    r"(?:dress(?:es)?|gowns?|frocks?|skirts?|minis?|tops?|t-?shirts?|tees?|shirts?|blouses?|jumpers?|sweaters?"
+    r"|pullovers?|sweatshirts?|hoodies?|cardigans?|cardis?|vests?|waistcoats?|jackets?|blazers?|coats?|suits?"
+    r"|trousers|pants|slacks|chinos|jeans|leggings|tights|joggers|shorts|culottes|jumpsuits?|playsuits?"
+    r"|dungarees|overalls|pinafores?|swimsuits?|swimming costumes?|bikinis?|bodysuits?|leotards?|uniforms?"
+    r"|saris?|sarees?|kilts?|tunics?|camis?|camisoles?|bras?|slips?|petticoats?|pyjamas|pajamas|nighties?"
+    r"|nightdress(?:es)?|overcoats?|raincoats?|gilets?|turtlenecks?|polo necks?|roll ?necks?|bodices?)"
+)
+_NOT_ALONE = (
+    rf"(?![\w-]|[ -](?:{_HEAD}|collars?|sleeves?|necks?|necklines?|length|style|cuffs?|straps)(?!\w))"
+)
+_WORDS_BEFORE = r"(?:[\w'’-]+ ){0,4}?"
+_OVER = r"(?:over|on top of|under|underneath|beneath|below|inside|with|w|w/)"
+_OWN = r"(?: (?:that |which )?(?:i|she|he|we)(?:['’]ve)? (?:already |just )?(?:own|have|has|got|bought|wear|am wearing)(?: already| got| on)?)?"
+_WORN = (
+    r"(?:throw|throwing|thrown|wear|wearing|worn|put|putting|slip|slipping|slipped|layer|layering|layered|pop"
+    r"|fling|chuck|sling|drape|pull|pulled|go|goes|going|pair|pairs|pairing|paired|team|teams|teamed|style"
+    r"|styled|match|matches|fit|fits|sit|sits)"
+)
+_REMARKS = tuple(
+    [
+        re.compile(pattern, re.IGNORECASE)
+        for pattern in (
+            rf",?\s*(?:(?<![\w-])(?:that|which|and|so|im|i['’]?m|i|she|he|we|it|they|is|was|am|are|can|could|will|would|may"
+            rf"|want|wants|like|need|should|must|to|for|be|['’]ll)(?!\w)\s*)*(?<![\w-]){_WORN}"
+            rf"(?: (?:it|them|this))?(?: (?:on|up|nicely|well|best|straight|loosely|easily))* {_OVER} {_WORDS_BEFORE}{_HEAD}"
+            rf"{_NOT_ALONE}{_OWN}",
+            rf"\s*(?<![\w-])(?:over|on top of|under|underneath|beneath|inside|below|above|past|with) (?:my|her|his|their) "
+            rf"{_WORDS_BEFORE}{_HEAD}{_NOT_ALONE}{_OWN}",
+        )
+    ]
+)
+_PLACE_ON = re.compile(
+    rf"(?:(?<=cover )|(?<=covers )|(?<=over )|(?<=below )|(?<=past )|(?<=above )|(?<=reach )|(?<=hide )|(?<=meet ))"
+    rf"(?:the )?(?:waistband|waist|hem|top|collar|sleeves|bottom|straps|neckline|back|seat) of "
+    rf"(?:my|her|his|their) (?:[\w'’-]+ ){{0,2}}?{_HEAD}{_NOT_ALONE}",
+    re.IGNORECASE,
+)
+"""A place on a garment that is there already: "long enough to cover the waistband of my leggings"."""
+
+
+def without_side_remarks(text: str) -> str:
+    """The text without them, where it names another garment as well.
+
+    Args:
+        text: A description in any case.
+    """
+    for pattern in (*_REMARKS, _PLACE_ON):
+        for found in reversed(list(pattern.finditer(text))):
+            put = " it" if pattern is _PLACE_ON else ""
+            rest = (text[: found.start()].rstrip() + put + text[found.end() :]).strip()
+            if _names_a_garment(text[: found.start()]) or _names_a_garment(rest) or pattern is _PLACE_ON:
+                text = rest
+    return text
+
+
+def _names_a_garment(text: str) -> bool:
+    return any(mark.role == "garment" and not mark.denied for mark in read_words(text).marks)

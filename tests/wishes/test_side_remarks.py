@@ -1,0 +1,47 @@
+"""Remarks about garments that are worn with the one that is asked for."""
+
+from __future__ import annotations
+
+import pytest
+
+from swifttailor.wishes.side_remarks import without_side_remarks
+
+
+@pytest.mark.parametrize(
+    ("text", "left"),
+    [
+        (
+            "A light cardigan, cream, to throw over a strappy dress when it turns chilly",
+            "A light cardigan, cream when it turns chilly",
+        ),
+        (
+            "peplum top burgundy velvet, im pairing it w cigarette pants i already own",
+            "peplum top burgundy velvet",
+        ),
+        ("a silk slip to wear under my wedding dress", "a silk slip"),
+        ("jacket that goes with a long red evening gown", "jacket"),
+        ("a tunic to wear over leggings, navy", "a tunic, navy"),
+        ("a blouse under my black pinafore dress", "a blouse"),
+        (
+            "racerback, long enough to cover the waistband of my leggings",
+            "racerback, long enough to cover it",
+        ),
+    ],
+)
+def test_remarks_about_other_garments_are_left_out(text: str, left: str) -> None:
+    assert without_side_remarks(text) == left
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "something to wear over a dress",
+        "a dress with a shirt collar",
+        "a dress with a pencil skirt",
+        "my wedding dress should be long",
+        "I want to wear a red skirt",
+        "a top that goes with anything",
+    ],
+)
+def test_what_is_asked_for_stays(text: str) -> None:
+    assert without_side_remarks(text) == text
