@@ -203,7 +203,8 @@ def _kind_named_alone(text: str, words: WordReading) -> list[Implication]:
         if m.role not in ("part", "theirs") and any(e.category in _NAMES_THINGS for e in m.entries)
     ]
     kinds = [i for i in words.implications if i.claim.name == "kind" and i.mark.role == "garment"]
-    alone = len(words.marks) <= _NO_STORY and len(names) == 1
+    whole = {i.claim.value for i in kinds} <= _WHOLE_KINDS
+    alone = (len(words.marks) <= _NO_STORY or whole) and len(names) == 1
     alone = alone and not _BESIDE.search(text[: names[0].start])
     return kinds if alone and len({i.claim.value for i in kinds}) == 1 else []
 
@@ -276,6 +277,8 @@ def _within_names(network: Sequence[Wish], words: WordReading) -> list[Wish]:
 _BESIDE = re.compile(r"\b(?:something|anything|outfit|with|over|under\w*|like|match\w*|for)\b", re.IGNORECASE)
 _FEW_WORDS, _NO_STORY = 5, 9
 _NAMES_THINGS = ("garments", "accessories", "generic")
+_WHOLE_KINDS = frozenset({"dress", "jumpsuit", "playsuit"})
+"""Kinds with skirts or legs: who speaks of these at length still asks for the whole."""
 _LOWER_KINDS = frozenset({"skirt", "trousers", "shorts"})
 _BARE_ARMS = Claim("sleeves", "none")
 _PEPLUM = Claim("skirt", "peplum")

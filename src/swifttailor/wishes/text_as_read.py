@@ -24,7 +24,11 @@ _REACHES = re.compile(
 )
 _OF = re.compile(r"(?<!\w)([^\W\d_]+) (?:of|for)(?: the| an?)? ([^\W\d_]+)(?!\w)")
 
-
+_FROM = re.compile(
+    r"(?<!\w)([^\W\d_]+) (?:from|in|out of|as in|like in|of)(?: the)?(?: (?:film|movie|show|series))?"
+    r" ([A-Z][^\W\d_]+)(?!\w)"
+)
+"""A garment of a film: "the dress from Atonement"."""
 _SEEN_BY_GUESTS = ("wedding", "weddings")
 """A dress for a wedding is one for its guests, and no wedding dress."""
 _ITEM = re.compile(r"(?:^\s*|\s+)(\d{1,2})[.)]\s+(?=[^\W\d])")
@@ -95,7 +99,8 @@ def _turned(text: str) -> str:
     text = _NONE_OF.sub(r"no \1", text)
     text = _without_list_numbers(_CORRECTED.sub("", _WITHDRAWN.sub("", text)))
     text = _ABOUT.sub(r"\1 ", text)
-    return _BODY.sub(r"the \2", _REACHES.sub(r"to the \2", _OF.sub(turned, text)))
+    text = _FROM.sub(turned, _OF.sub(turned, text))
+    return _BODY.sub(r"the \2", _REACHES.sub(r"to the \2", text))
 
 
 def _without_list_numbers(text: str) -> str:

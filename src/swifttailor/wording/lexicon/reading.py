@@ -10,6 +10,7 @@ from swifttailor.describing.claims import Claim
 from swifttailor.wording.claim_kinds import fits_kind, implied_kind
 from swifttailor.wording.lexicon.colors import NamedColor, named_colors
 from swifttailor.wording.lexicon.conflicts import SCALES, beyond, exclude, opposed
+from swifttailor.wording.lexicon.covered_shoulders import with_covered_shoulders
 from swifttailor.wording.lexicon.denials import denied_words
 from swifttailor.wording.lexicon.entries import Certainty, Entry, NamedPrint
 from swifttailor.wording.lexicon.inflection import Language
@@ -164,7 +165,7 @@ def _reading(text: str, language: Language, kind: str | None, dialect: Dialect |
             never += refused
         else:
             implied += [one for one in _implied(word, mark) if word.role != "like" or _has_place(one, kinds)]
-    implied = _with_its_collar(_exact_lengths(implied, language))
+    implied = with_covered_shoulders(_with_its_collar(_exact_lengths(implied, language)), never, marks)
     named = _names_mean(marks)  # "a mini skirt, but not too short" is still a mini skirt
     never = [claim for claim in dict.fromkeys(never) if claim not in named]
     kept = _settled([i for i in implied if i.claim not in never])
