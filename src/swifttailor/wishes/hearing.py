@@ -49,7 +49,7 @@ from swifttailor.wishes.weighed_together import (
 from swifttailor.wishes.whole_wish import described_as_a_whole
 from swifttailor.wishes.worn_for import worn_for
 from swifttailor.wording.claim_kinds import fits_kind
-from swifttailor.wording.lexicon import SURENESS, Implication, WordReading, exclude, read_words
+from swifttailor.wording.lexicon import SURENESS, Implication, WordReading, exclude, glossed, read_words
 from swifttailor.wording.lexicon.conflicts import SCALES
 
 SURE_OF_EVERY_WORD = 0.96
@@ -75,6 +75,7 @@ def hear_description(text: str, reader: WishReader, *, alone: bool = True) -> He
 
 def _described(text: str, reader: WishReader, *, alone: bool) -> Heard:
     """The same without looks of parts."""
+    text = glossed(text)
     heard = _heard_description(text, reader)
     meant = worn_for(heard) if alone else None
     if meant is not None:

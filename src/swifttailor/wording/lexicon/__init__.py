@@ -11,6 +11,7 @@ if TYPE_CHECKING:
     from swifttailor.wording.lexicon.conflicts import exclude
     from swifttailor.wording.lexicon.entries import Entry
     from swifttailor.wording.lexicon.foreign import foreign_language
+    from swifttailor.wording.lexicon.glosses import glossed
     from swifttailor.wording.lexicon.reading import (
         SURENESS,
         Implication,
@@ -36,6 +37,7 @@ _PUBLIC = {
     "cannot_texts": "vocabulary",
     "exclude": "conflicts",
     "foreign_language": "foreign",
+    "glossed": "glosses",
     "read_words": "reading",
     "usual_color": "usual_colors",
 }
@@ -53,6 +55,7 @@ __all__ = [
     "cannot_texts",
     "exclude",
     "foreign_language",
+    "glossed",
     "read_words",
     "usual_color",
 ]

@@ -199,9 +199,7 @@ _KNITTED = ("cardigan", "shrug")
 
 def _is_worn_over(word: Meaning) -> bool:
     """Whether it is a garment beside others, and no part of one: the jacket that a dress comes with."""
-    return any(
-        e.place[0] == _OVER or any(name.lower() in _KNITTED for name in e.words) for e in word.entries
-    )
+    return any(e.place[0] == _OVER or any(name.lower() in _KNITTED for name in e.words) for e in word.entries)
 
 
 def _can_hold(whole: Meaning, part: Meaning) -> bool:
