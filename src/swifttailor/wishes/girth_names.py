@@ -8,11 +8,11 @@ from __future__ import annotations
 import re
 
 _NAMES = {
-    "bust": r"bust|chest|brust(?:umfang)?|oberweite|poitrine|tour de poitrine|busto|pecho|contorno de pecho|petto|seno"
-    r"|torace|borst(?:omvang)?|bovenwijdte|peito",
-    "waist": r"waist|taille(?:numfang|nweite|nmass)?|tour de taille|cintura|contorno de cintura|vita|girovita|middel",
-    "hips": r"hips?|hüfte[n]?|hüftumfang|hanches?|tour de hanches|bassin|caderas?|contorno de caderas?|fianchi|heup(?:en)?"
-    r"|heupomvang|quadril|ancas?",
+    "bust": r"bust|chest|brust(?:umfang)?|oberweite|(?:tour de )?poitrine|busto"
+    r"|(?:contorno de )?pecho|petto|seno|torace|borst(?:omvang)?|bovenwijdte|peito",
+    "waist": r"waist|(?:tour de )?taille(?:numfang|nweite)?|(?:contorno de )?cintura|vita|girovita|middel",
+    "hips": r"hips?|hüfte[n]?|hüftumfang|(?:tour de )?hanches?|bassin|(?:contorno de )?caderas?|fianchi"
+    r"|heup(?:en|omvang)?|quadril|ancas?",
 }
 _INCHES = r"(?:inch(?:es)?\b|ins?\b|[\"”″]|'')"
 _ONE = "|".join([rf"(?P<{name}>{words})" for name, words in _NAMES.items()])

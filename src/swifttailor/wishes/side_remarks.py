@@ -23,27 +23,33 @@ _NOT_ALONE = (
 )
 _WORDS_BEFORE = r"(?:[\w'’-]+ ){0,4}?"
 _OVER = r"(?:over|on top of|under|underneath|beneath|below|inside|with|w|w/)"
-_OWN = r"(?: (?:that |which )?(?:i|she|he|we)(?:['’]ve)? (?:already |just )?(?:own|have|has|got|bought|wear|am wearing)(?: already| got| on)?)?"
+_OWN = (
+    r"(?: (?:that |which )?(?:i|she|he|we)(?:['’]ve)? (?:already |just )?"
+    r"(?:own|have|has|got|bought|wear|am wearing)(?: already| got| on)?)?"
+)
 _WORN = (
     r"(?:throw|throwing|thrown|wear|wearing|worn|put|putting|slip|slipping|slipped|layer|layering|layered|pop"
     r"|fling|chuck|sling|drape|pull|pulled|go|goes|going|pair|pairs|pairing|paired|team|teams|teamed|style"
     r"|styled|match|matches|fit|fits|sit|sits)"
 )
-_REMARKS = tuple(
-    [
-        re.compile(pattern, re.IGNORECASE)
-        for pattern in (
-            rf",?\s*(?:(?<![\w-])(?:that|which|and|so|im|i['’]?m|i|she|he|we|it|they|is|was|am|are|can|could|will|would|may"
-            rf"|want|wants|like|need|should|must|to|for|be|['’]ll)(?!\w)\s*)*(?<![\w-]){_WORN}"
-            rf"(?: (?:it|them|this))?(?: (?:on|up|nicely|well|best|straight|loosely|easily))* {_OVER} {_WORDS_BEFORE}{_HEAD}"
-            rf"{_NOT_ALONE}{_OWN}",
-            rf"\s*(?<![\w-])(?:over|on top of|under|underneath|beneath|inside|below|above|past|with) (?:my|her|his|their) "
-            rf"{_WORDS_BEFORE}{_HEAD}{_NOT_ALONE}{_OWN}",
-        )
-    ]
+_LEADING = (
+    r"(?:(?<![\w-])(?:that|which|and|so|im|i['’]?m|i|she|he|we|it|they|is|was|am|are|can|could|will|would|may"
+    r"|want|wants|like|need|should|must|to|for|be|['’]ll)(?!\w)\s*)*"
+)
+_IT_NICELY = r"(?: (?:it|them|this))?(?: (?:on|up|nicely|well|best|straight|loosely|easily))*"
+_REMARKS = (
+    re.compile(
+        rf",?\s*{_LEADING}(?<![\w-]){_WORN}{_IT_NICELY} {_OVER} {_WORDS_BEFORE}{_HEAD}{_NOT_ALONE}{_OWN}",
+        re.IGNORECASE,
+    ),
+    re.compile(
+        r"\s*(?<![\w-])(?:over|on top of|under|underneath|beneath|inside|below|above|past|with) "
+        rf"(?:my|her|his|their) {_WORDS_BEFORE}{_HEAD}{_NOT_ALONE}{_OWN}",
+        re.IGNORECASE,
+    ),
 )
 _PLACE_ON = re.compile(
-    rf"(?:(?<=cover )|(?<=covers )|(?<=over )|(?<=below )|(?<=past )|(?<=above )|(?<=reach )|(?<=hide )|(?<=meet ))"
+    r"(?:(?<=cover )|(?<=covers )|(?<=over )|(?<=below )|(?<=past )|(?<=above )|(?<=reach )|(?<=hide ))"
     rf"(?:the )?(?:waistband|waist|hem|top|collar|sleeves|bottom|straps|neckline|back|seat) of "
     rf"(?:my|her|his|their) (?:[\w'’-]+ ){{0,2}}?{_HEAD}{_NOT_ALONE}",
     re.IGNORECASE,

@@ -1,7 +1,7 @@
 """Texts in languages that have no table of their own, put into English word for word.
 
 Swedish, Danish, Norwegian, Finnish, Polish, Czech, Hungarian, Romanian, Turkish, Russian, Greek, Japanese,
-Chinese, Korean, Arabic: so much that a garment is made. What has no gloss stays, and is told as not understood.
+Chinese, Korean, Arabic: so much that a garment is made. What has no gloss stays, and is told.
 """
 
 from __future__ import annotations
@@ -19,6 +19,7 @@ _TABLE = Path(__file__).with_name("glosses.txt")
 _GARMENTS, _NOTHING = "garments", "nothing"
 _TOKEN = re.compile(r"[\u3040-\u30ff\u3400-\u9fff]+|[^\W\d_]+(?:[-'’][^\W\d_]+)*|[^\w\s]|\d[\d.,]*|\S")
 _IDEOGRAPHS = re.compile(r"[\u3040-\u30ff\u3400-\u9fff]+$")
+_SAYS_LITTLE = frozenset(["function", "polite", "negations", "degrees", "numbers"])
 _LONGEST_PHRASE = 4
 _LONGEST_TEXT = 2000
 """Characters; longer texts are stories, of which words alone tell little."""
@@ -42,14 +43,18 @@ def glossed(text: str) -> str:
     Args:
         text: In any language.
     """
-    if len(text) > _LONGEST_TEXT or text.isascii() and not _may_be_glossed(text):
+    if len(text) > _LONGEST_TEXT or (text.isascii() and not _may_be_glossed(text)):
         return text
     pieces = list(_pieces(text))
     meant = [p for p in pieces if p.english not in (None, _NOTHING)]
     garments = [p for p in meant if p.english in _glossary().garments]
     if not garments:
         return text
-    known = sum(len(mark.word.split()) for mark in read_words(text).marks if mark.entries)
+    known = sum(
+        len(mark.word.split())
+        for mark in read_words(text).marks
+        if mark.entries and mark.entries[0].category not in _SAYS_LITTLE
+    )
     if len(meant) <= known and sum(len(p.text.split()) for p in meant) <= known:
         return text
     shown = [p.text if p.english is None else p.english for p in pieces if p.english != _NOTHING]
