@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Annotated
 
@@ -12,12 +13,16 @@ from swifttailor.pattern.drafts.figure import Figure
 from swifttailor.pattern.drafts.joins import sew_trousers_to_band
 from swifttailor.pattern.drafts.measurements import Measurements
 from swifttailor.pattern.drafts.options import Option
-from swifttailor.pattern.drafts.trousers import Trousers, lay_trousers, sew_legs
+from swifttailor.pattern.drafts.trousers import ROOMY_CM, SIDE_SHARE, Trousers, lay_trousers, sew_legs
 from swifttailor.pattern.pattern import Pattern
 
 _SHAPED_CM = 1.5
 """What the upper edge is narrower than the hips, around: so little that no dart is sewn."""
 
+_USUAL_CM, _LOWEST_CM = 2.0, -6.0
+"""What the legs of usual joggers use up so anyway; how far above the floor cuffs stay before draping, cm."""
+_BELOW_KNEE_CM = 10.0
+"""Legs that end so far below the knee lie around the calves."""
 _DROP_SHARE, _LEAST_DROP_CM = 0.22, 1.0
 """Crotches drop by no more than this part of the inseam: short legs have nothing to hang from."""
 
@@ -63,9 +68,18 @@ def draft_joggers(options: JoggersOptions, measurements: Measurements) -> Patter
     """Drafts the joggers for a body: pull-on trousers gathered into cuffs."""
     figure = Figure.of(measurements)
     table = CuttingTable("joggers")
-    _lay_legs(table, figure, options, options.length - options.cuff_height)
+    _lay_legs(table, figure, options, options.length - options.cuff_height + _bloused(figure, options))
     lay_leg_cuff(table, figure, options.cuff_ease, options.cuff_height)
     return _sewn(table)
+
+
+def _bloused(figure: Figure, options: JoggersOptions) -> float:
+    """By how much legs far wider than their cuffs are longer, cm: going in to them, they use it up."""
+    hem_y = figure.waist_y - options.length + options.cuff_height
+    hem = figure.leg_girth(hem_y) + options.leg_ease + options.flare
+    cuff = figure.close_leg_girth(hem_y - options.cuff_height) + options.cuff_ease
+    above_floor = hem_y - options.cuff_height - _LOWEST_CM
+    return min(max((hem - cuff) / (2 * math.pi) - _USUAL_CM, 0.0), max(above_floor, 0.0))
 
 
 def _lay_legs(table: CuttingTable, figure: Figure, options: PullOnTrousersOptions, length: float) -> None:
@@ -75,7 +89,10 @@ def _lay_legs(table: CuttingTable, figure: Figure, options: PullOnTrousersOption
     wide = figure.hips.eased(options.hip_ease - _SHAPED_CM)
     inseam = figure.crotch_y - (figure.waist_y - length)
     drop = min(options.crotch_drop, max(_LEAST_DROP_CM, _DROP_SHARE * inseam))
-    legs = Trousers(length, options.hip_ease, options.leg_ease, options.flare, drop)
+    # Close legs that narrow at the inseams alone hang beside the calves, not around them.
+    around_calves = options.leg_ease < ROOMY_CM and figure.waist_y - length < figure.knee_y - _BELOW_KNEE_CM
+    share = SIDE_SHARE if around_calves else Trousers.side_share
+    legs = Trousers(length, options.hip_ease, options.leg_ease, options.flare, drop, side_share=share)
     lay_trousers(table, figure, legs, wide, figure.waist_y - low - options.band_height)
 
 
