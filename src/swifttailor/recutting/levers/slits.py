@@ -20,6 +20,8 @@ _WORDS: dict[Place, str] = {"left": "left", "right": "right", "back": "behind", 
 _WEDGE_CM = 12.0
 LEAST_SLIT_CM = 3.0
 """Shorter ones are not opened again."""
+_SHORTEST_CM, _CROTCH_CM = 6.0, 38.0
+"""The lowest slit that is cut, and how far below the waist one in the middle ends at the highest, cm."""
 _CLAIMS = ("slit", "slit_cm", "slit_size", *(f"{p} slit" for p in _PLACES))
 
 
@@ -111,7 +113,10 @@ def _lever(place: Place, wedge: bool = False) -> Lever:
         if skirt is None:
             return 0.0, 0.0
         last = (skirt.length - skirt.base_length) / (skirt.tiers - 1) if skirt.tiers > 1 else skirt.length
-        return 6.0, 0.8 * last
+        most = 0.8 * last
+        if place in ("front", "back"):  # in the middle, one up to the crotch would show what it should not
+            most = min(most, max(skirt.length - _CROTCH_CM, _SHORTEST_CM))
+        return _SHORTEST_CM, most
 
     return Lever(
         name=f"slit {_WORDS[place]}{', a wedge,' if wedge else ''}",
