@@ -1,0 +1,87 @@
+"""Named drafts of tops that are to be far too wide: dropped shoulders, long bodies and wide sleeves."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+from swifttailor.describing.claims import Claim
+from swifttailor.pattern.drafts.draft_names import ARMHOLE, NamedDraft
+
+_FITS: Mapping[str, Mapping[str, float]] = {
+    "oversized": {
+        "chest_ease": 30.0,
+        "length": 32.0,
+        "shoulder_extension": 8.0,
+        "armhole_drop": 5.0,
+        "arm_ease": 16.0,
+    },
+    "loose": {"chest_ease": 18.0, "length": 27.0, "shoulder_extension": 4.0, "arm_ease": 10.0},
+}
+"""What such tops have at least, cm: a wide chest alone stands off the back, and ends at the waist."""
+_WITH_SHOULDERS = frozenset({"chest_ease", "length", "shoulder_extension", "armhole_drop", "arm_ease"})
+_PLAIN = _WITH_SHOULDERS - {"shoulder_extension"}
+_OPTIONS: Mapping[str, frozenset[str]] = {
+    "t-shirt": _WITH_SHOULDERS,
+    "shirt": _WITH_SHOULDERS,
+    "cardigan": _WITH_SHOULDERS,
+    "sweatshirt": _WITH_SHOULDERS - {"armhole_drop"},
+    "hoodie": _WITH_SHOULDERS - {"armhole_drop"},
+    "turtleneck": _PLAIN,
+    "polo-shirt": _PLAIN,
+    "tank-top": frozenset({"chest_ease", "length", "armhole_drop"}),
+    "hooded-coat": _WITH_SHOULDERS - {"length"},
+}
+"""Which of them each draft has."""
+_OF_SHOULDERS = frozenset({"shoulder_extension", "arm_ease"})
+_HOODED, _OPENING = "hooded-coat", "opening"
+_ELBOW_CM, _SHORT_CM, _DROPPED_CM = 40.0, 26.0, 6.0
+"""Longer sleeves reach the wrist; shorter ones fall to the elbow; how much lower the former begin."""
+_SLEEVES: Mapping[str, tuple[float, float | None]] = {
+    "t-shirt": (22.0, 30.0),
+    "cardigan": (58.5, 32.0),
+    "turtleneck": (58.5, 29.0),
+    "polo-shirt": (24.0, 34.0),
+    _HOODED: (60.0, 34.0),
+    "shirt": (60.0, None),
+}
+"""Usual length of each draft's sleeves, and width around at the end of long ones, cm; None: in a cuff."""
+_SHORT_END_CM = 46.0
+_LONG, _LONG_CM = ("long", "extra-long"), 60.0
+_HEMS = frozenset({"top_hem", "length_cm"})
+
+
+def oversized_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
+    """A top that is to be oversized or loose, wide all over and long; others as they are.
+
+    Args:
+        draft: As it was asked for otherwise.
+        claims: What is asked for, all of it.
+    """
+    fits = [str(claim.value) for claim in claims if claim.name == "fit" and claim.value in _FITS]
+    known = _OPTIONS.get(draft.name)
+    options = dict(draft.options)
+    if not fits or known is None or (draft.name == _HOODED and options.get(_OPENING) != 0.0):
+        return draft
+    told_hem = any(claim.name in _HEMS for claim in claims)
+    shaped = options.get(ARMHOLE, "set-in") != "set-in" or options.get("sleeve_shape", "plain") != "plain"
+    for name, least in _FITS[fits[0]].items():
+        if name not in known or (name == "length" and told_hem) or (shaped and name in _OF_SHOULDERS):
+            continue
+        options[name] = max(least, float(options.get(name, least)))
+    options.pop("waist_shaping", None)
+    if not shaped and fits[0] == "oversized" and draft.name in _SLEEVES and options.get("sleeves", True):
+        long = any(claim.name == "sleeves" and claim.value in _LONG for claim in claims)
+        options |= _sleeves(draft.name, options, long=long)
+    return replace(draft, options=tuple(options.items()))
+
+
+def _sleeves(name: str, options: Mapping[str, float | bool | str], *, long: bool) -> Mapping[str, float]:
+    """Sleeves as wide as such tops have them; long ones begin lower, and end where they did."""
+    usual, end = _SLEEVES[name]
+    length = float(options.get("sleeve_length", usual))
+    length = max(length, _LONG_CM) if long else length
+    if length < _ELBOW_CM:
+        return {"sleeve_length": max(length, _SHORT_CM), "sleeve_end": _SHORT_END_CM}
+    dropped = length - (_DROPPED_CM if "shoulder_extension" in _OPTIONS[name] else 0.0)
+    return {"sleeve_length": dropped} | ({} if end is None else {"sleeve_end": end})
