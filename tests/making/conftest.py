@@ -57,7 +57,8 @@ TRIMMED = {
     "tunic": ("shirt-dress", ("patch pockets", "slant pockets")),
     "dirndl": ("skater-dress", ("neck frill", "lacing", "apron", "hem frill")),
     "blouse": ("shirt", ("neck bow", "sleeve frills", "edging")),
-    "vest": ("tank-top", ("neck rib", "armhole ribs")),
+    "vest": ("tank-top", ("neck rib", "armhole ribs", "hem rib")),
+    "pyjama bottoms": ("pull-on-trousers", ("elastic waist",)),
     "slip": ("fitted-dress", ("lace trim", "waist bow")),
     "flapper dress": ("drop-waist-dress", ("hem fringe", "neck cord")),
 }

@@ -214,6 +214,8 @@ def test_the_shopping_list(trimmed_plans):
     assert denim[:2] == ["2 buttons of 12 mm", "5 buttons of 20 mm"]
     assert "buckle for a belt of 35 mm" in notions(trimmed_plans["trousers"])
     assert any(line.startswith("cord of 1") for line in notions(trimmed_plans["joggers"]))
+    assert any(line.startswith("elastic of ") for line in notions(trimmed_plans["pyjama bottoms"]))
+    assert "Elastic" in [step.title for step in sewing_steps(trimmed_plans["pyjama bottoms"])]
     assert notions(cutting_plan(draft("t-shirt"))) == []
 
 

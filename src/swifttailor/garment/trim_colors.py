@@ -42,7 +42,7 @@ _IN_ANOTHER: Mapping[str, tuple[str, str]] = {
     "lace trim": ("#f3efe6", "#c9bfae"),
 }
 """What is of another colour than the cloth, where none is told: on darker cloth, and on light cloth."""
-_RIBS = ("neck rib", "armhole ribs")
+_RIBS = ("neck rib", "armhole ribs", "hem rib")
 _LIGHT = 0.55
 """Linear light of cloth from which on it is light."""
 _LIGHT_BUTTON, _DARK_BUTTON = "#bdb6a8", "#6b5a49"

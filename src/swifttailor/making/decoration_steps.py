@@ -15,6 +15,7 @@ _RIB_SHARE = 0.85
 _TITLES: Mapping[str, str] = {
     "neck rib": "Ribbed band at the neck",
     "armhole ribs": "Ribbed bands at the armholes",
+    "hem rib": "Ribbed band at the hem",
     "neck frill": "Frill around the neck",
     "sleeve frills": "Frills at the sleeves",
     "hem frill": "Frill along the hem",
@@ -71,7 +72,7 @@ def _frill(frill: Frill) -> str:
             f"Cut strips {frill.depth + 2:.0f} cm wide, {strip} cm in all. Hem one long edge, gather the "
             f"other to {length:.0f} cm, and sew it to the edge, right sides together."
         )
-    if frill.trim in ("neck rib", "armhole ribs"):
+    if frill.trim in ("neck rib", "armhole ribs", "hem rib"):
         return (
             f"Cut strips of ribbed knit {2 * frill.depth + 2:.0f} cm wide, {_RIB_SHARE * length:.0f} cm "
             f"in all. Close them to rings, fold them lengthwise, stretch them to {length:.0f} cm, and sew "

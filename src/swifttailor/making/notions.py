@@ -29,6 +29,9 @@ def notions(plan: CuttingPlan) -> list[str]:
     if any(trim.trim == "drawstring" for trim in plan.trims):
         length = 10 * math.ceil((waist_girth(plan.sewn.pattern) + _ENDS_CM) / 10)
         lines.append(f"cord of {length} cm, and 2 eyelets")
+    if any(trim.trim == "elastic waist" for trim in plan.trims):
+        length = 5 * math.ceil(waist_girth(plan.sewn.pattern) / 5)
+        lines.append(f"elastic of {length} cm, a little narrower than the waistband")
     stiff = [piece.name for piece in plan.pieces if "interfacing" in piece.cloth]
     if stiff:
         lines.append(f"interfacing for: {', '.join(stiff)}")

@@ -237,6 +237,12 @@ def _waist(plan: CuttingPlan) -> Iterator[TrimStep]:
     if "buckle belt" in names:
         text = f"{fold} Fasten the buckle to one end, and set eyelets or holes into the other. {loops}"
         yield TrimStep(_CLOSE - 2, "Belt", (text,))
+    if "elastic waist" in names:
+        text = (
+            "Leave a gap in the inner edge of the waistband, draw elastic as long as the waist less 5 cm "
+            "through it, sew its ends together, and close the gap. Stretch the band while you sew its rows."
+        )
+        yield TrimStep(_CLOSE - 2, "Elastic", (text,))
     if "drawstring" in names:
         text = (
             "Set two eyelets at the marks of the cord before the upper edge is folded to a casing, "

@@ -36,6 +36,7 @@ _LINES: Mapping[str, str] = {
     "quilting": "",
     "double-breasted buttons": "edge of the upper front",
     "drawstring": "cord",
+    "elastic waist": "",
     "neck cord": "cord",
     "lacing": "lacing",
 }

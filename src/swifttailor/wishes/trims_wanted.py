@@ -24,6 +24,7 @@ TRIMS_OF: Mapping[str, tuple[str, ...]] = {
     "belt": _BELTS,
     "belt_accessory": _BELTS,
     "drawstring": ("drawstring", "neck cord"),
+    "elastic": ("elastic waist",),
     "turn_ups": ("turn-ups",),
     "padding": ("quilting",),
     "ties": ("tie belt", "neck bow", "waist bow"),
@@ -31,7 +32,7 @@ TRIMS_OF: Mapping[str, tuple[str, ...]] = {
     "lace": ("lace trim",),
     "frills": _FRILLS,
     "lacing": ("lacing",),
-    "rib_bands": ("neck rib", "armhole ribs"),
+    "rib_bands": ("neck rib", "armhole ribs", "hem rib"),
     "fringe": ("hem fringe",),
     "apron": ("apron",),
 }

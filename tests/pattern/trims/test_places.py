@@ -49,9 +49,11 @@ SHOULD_HAVE = {
     "quilting": ("bomber-jacket", "coat", "turtleneck"),
     "turn-ups": ("trousers", "jeans"),
     "drawstring": ("joggers", "pull-on-trousers"),
+    "elastic waist": ("joggers", "pull-on-trousers", "gathered-skirt", "leggings"),
     "neck cord": ("hoodie", "sweatshirt"),
     "neck rib": ("t-shirt", "sweatshirt", "tank-top"),
     "armhole ribs": ("tank-top",),
+    "hem rib": ("tank-top", "t-shirt"),
     "neck frill": (*[name for name in TOPS if name != "hoodie"], "shirt-dress"),
     "sleeve frills": ("t-shirt", "shirt", "shirt-dress"),
     "hem frill": (*SKIRTS, *DRESSES, "t-shirt"),
@@ -90,7 +92,7 @@ def test_has_its_place_on_the_drafts_that_should_have_it(name, drafts):
         ("slant pockets", "pleated-skirt"), ("bib pocket", "trousers"), ("neck frill", "fitted-skirt"),
         ("sleeve frills", "tank-top"), ("hem frill", "jeans"), ("neck frill", "hoodie"), ("apron", "t-shirt"),
         ("neck bow", "trousers"), ("lacing", "jeans"), ("neck rib", "turtleneck"),
-        ("armhole ribs", "t-shirt"),
+        ("armhole ribs", "t-shirt"), ("elastic waist", "bomber-jacket"),
     ],
 )  # fmt: skip
 def test_has_none_on_others(name, draft_name, drafts):
@@ -252,3 +254,10 @@ def test_never_raises_for_known_patterns(garmentcode_folder):
 def test_never_raises_for_patterns_of_other_names(shipped_patterns, square_pattern):
     for pattern in (square_pattern, *shipped_patterns.values()):
         assert_on_panels(pattern, place_trims(with_all(pattern)))
+
+
+def test_elastic_draws_folds_where_cloth_is_gathered_alone(drafts):
+    folds = place_trims(replace(drafts["pull-on-trousers"], trims=("elastic waist",)))
+    smooth = place_trims(replace(drafts["leggings"], trims=("elastic waist",)))
+    assert {piece.panel for piece in smooth} == {"wb_front", "wb_back"}
+    assert {"pant_f_l", "pant_b_r", "wb_front"} <= {piece.panel for piece in folds} and len(folds) > 40

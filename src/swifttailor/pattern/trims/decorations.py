@@ -14,7 +14,7 @@ from swifttailor.pattern.trims.shapes import Bow, Frill, StripKind, Trim
 
 _NECK_FRILL, _SLEEVE_FRILL, _HEM_FRILL, _FRINGE = 4.0, 5.0, 8.0, 12.0
 """How far each goes beyond its edge, cm."""
-_EDGING, _LACE_TRIM, _RIB = 1.3, 3.5, 2.0
+_EDGING, _LACE_TRIM, _RIB, _HEM_RIB = 1.3, 3.5, 2.0, 3.0
 """How wide edging, lace and ribbed bands are, cm."""
 _BOW, _BOW_TAIL = 15.0, 17.0
 _BELOW_NECK = 1.0
@@ -39,6 +39,11 @@ def neck_rib(chalk: Chalk, name: str) -> list[Trim]:
 def armhole_ribs(chalk: Chalk, name: str) -> list[Trim]:
     """A flat band around each armhole without a sleeve."""
     return _along(chalk, name, armhole_edges(chalk.pattern), 0.8 * _RIB, "flat")
+
+
+def hem_rib(chalk: Chalk, name: str) -> list[Trim]:
+    """A flat band along the hem, as the one below the bust of a sports bra."""
+    return _along(chalk, name, hem_edges(chalk.pattern), _HEM_RIB, "flat")
 
 
 def neck_frill(chalk: Chalk, name: str) -> list[Trim]:

@@ -32,9 +32,11 @@ TRIMS: Mapping[str, str] = {
     "quilting": "lines of quilting",
     "turn-ups": "turned-up leg ends",
     "drawstring": "a drawstring at the waist",
+    "elastic waist": "elastic in the waistband",
     "neck cord": "a cord at the neck",
     "neck rib": "a ribbed band around the neck",
     "armhole ribs": "ribbed bands around the armholes",
+    "hem rib": "a ribbed band along the hem",
     "neck frill": "a frill around the neck",
     "sleeve frills": "frills at the ends of the sleeves",
     "hem frill": "a frill along the hem",
@@ -50,7 +52,7 @@ TRIMS: Mapping[str, str] = {
 LIKE_EACH_OTHER = (
     ("buttons", "button placket", "double-breasted buttons", "zip", "polo placket", "half zip"),
     ("tie belt", "buckle belt", "drawstring"),
-    ("hem frill", "hem fringe"),
+    ("hem frill", "hem fringe", "hem rib"),
     ("edging", "lace trim"),
     ("neck frill", "neck bow", "neck cord"),
 )

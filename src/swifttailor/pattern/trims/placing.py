@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 
 from swifttailor.pattern.pattern import Pattern
-from swifttailor.pattern.trims import belts, decorations, fastenings, pockets, quilting
+from swifttailor.pattern.trims import belts, decorations, elastic, fastenings, pockets, quilting
 from swifttailor.pattern.trims.chalk import Chalk
 from swifttailor.pattern.trims.shapes import Trim
 
@@ -34,9 +34,11 @@ _PLACES: Mapping[str, Callable[[Chalk, str], list[Trim]]] = {
     "quilting": quilting.quilted,
     "turn-ups": belts.turn_ups,
     "drawstring": belts.drawstring,
+    "elastic waist": elastic.waist_elastic,
     "neck cord": decorations.neck_cord,
     "neck rib": decorations.neck_rib,
     "armhole ribs": decorations.armhole_ribs,
+    "hem rib": decorations.hem_rib,
     "neck frill": decorations.neck_frill,
     "sleeve frills": decorations.sleeve_frills,
     "hem frill": decorations.hem_frill,

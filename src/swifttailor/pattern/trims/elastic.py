@@ -1,0 +1,118 @@
+"""The folds that elastic draws a waist into, and the rows of stitches that hold it."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from swifttailor.pattern.pattern import EdgeRef
+from swifttailor.pattern.trims.chalk import Chalk
+from swifttailor.pattern.trims.front_view import FrontView
+from swifttailor.pattern.trims.shapes import Trim
+
+_BANDS = ("wb_front", "wb_back")
+_ROWS = (0.36, 0.68)
+"""Heights of the rows of stitches, as parts of the band's."""
+_BESIDE = 0.7
+"""Rows and folds keep so far from the ends of their panel, cm."""
+_APART, _FOLD, _STITCH = 2.1, 0.11, 0.09
+"""Distance of folds where they are gathered, half their width, and half that of a row, cm."""
+_DEEP = (4.5, 2.6, 6.4, 3.4, 5.4, 2.9)
+"""How far folds run down from the band, one after the other, cm."""
+_GATHERED = 1.08
+"""Cloth that is wider than the band by less than this lies smooth below it, as leggings do."""
+
+
+def waist_elastic(chalk: Chalk, name: str) -> list[Trim]:
+    """Rows along a waistband, and folds in it and below it where cloth is gathered into it."""
+    if "left_ftorso" in chalk.views or not all(band in chalk.views for band in _BANDS):
+        return []
+    pieces: list[Trim] = []
+    for band in _BANDS:
+        rows = _rows(chalk, name, chalk.views[band])
+        if not rows:
+            return []
+        pieces += rows
+        below = _sewn_below(chalk, band)
+        fullness = sum(chalk.pattern.edge_length(ref) for ref in below) / _bottom(chalk, band)
+        if fullness < _GATHERED:
+            continue
+        pieces += _folds_of_band(chalk, name, chalk.views[band])
+        for panel in dict.fromkeys(ref.panel for ref in below):
+            if panel in chalk.views:
+                pieces += _folds_below(chalk, name, chalk.views[panel], _APART * fullness)
+    return pieces
+
+
+def _rows(chalk: Chalk, name: str, view: FrontView) -> list[Trim]:
+    xs = _places(view, 9)
+    columns = [view.column(float(x)) for x in xs]
+    pieces: list[Trim] = []
+    for share in _ROWS:
+        line = [
+            (float(x), column[0] + share * (column[1] - column[0]))
+            for x, column in zip(xs, columns, strict=True)
+            if column is not None
+        ]
+        found = chalk.line(name, view.panel.name, line, width=_STITCH)
+        if not found:
+            return []
+        pieces += found
+    return pieces
+
+
+def _folds_of_band(chalk: Chalk, name: str, view: FrontView) -> list[Trim]:
+    pieces: list[Trim] = []
+    for x in _places(view, max(round(_width(view) / (_APART * chalk.size)), 2)):
+        column = view.column(float(x))
+        if column is not None:
+            ends = [(float(x), column[0] + 0.15), (float(x), column[1] - 0.15)]
+            pieces += chalk.line(name, view.panel.name, ends, width=_FOLD)
+    return pieces
+
+
+def _folds_below(chalk: Chalk, name: str, view: FrontView, apart: float) -> list[Trim]:
+    pieces: list[Trim] = []
+    for k, x in enumerate(_places(view, max(round(_width(view) / (apart * chalk.size)), 2))):
+        top = chalk.top_at(view, float(x)) - 0.2
+        ends = [(float(x), top), (float(x), top - _DEEP[k % len(_DEEP)] * chalk.size)]
+        pieces += chalk.line(name, view.panel.name, ends, width=_FOLD)
+    return pieces
+
+
+def _places(view: FrontView, count: int) -> np.ndarray:
+    """Distances from the middle across the upper edge of a panel, evenly apart."""
+    low, high = _ends(view)
+    return np.linspace(low + _BESIDE, high - _BESIDE, count)
+
+
+def _width(view: FrontView) -> float:
+    low, high = _ends(view)
+    return high - low
+
+
+def _ends(view: FrontView) -> tuple[float, float]:
+    """Smallest and greatest x near the upper edge of a panel: a band's ends, or where a waist begins."""
+    near = view.outline[view.outline[:, 1] >= view.high - max(0.5 * min(view.high - view.low, 6.0), 1.0)]
+    return float(near[:, 0].min()), float(near[:, 0].max())
+
+
+def _sewn_below(chalk: Chalk, band: str) -> tuple[EdgeRef, ...]:
+    """Edges of what hangs from a band."""
+    found = []
+    for stitch in chalk.pattern.stitches:
+        first, second = stitch.sides
+        for own, other in ((first, second), (second, first)):
+            if own.panel == band and other.panel not in _BANDS:
+                found.append(other)
+    return tuple(dict.fromkeys(found))
+
+
+def _bottom(chalk: Chalk, band: str) -> float:
+    """Length of the edges of a band that something hangs from, cm."""
+    refs = {
+        ref
+        for stitch in chalk.pattern.stitches
+        for ref in stitch.sides
+        if ref.panel == band and not all(side.panel in _BANDS for side in stitch.sides)
+    }
+    return max(sum(chalk.pattern.edge_length(ref) for ref in refs), 1.0)
