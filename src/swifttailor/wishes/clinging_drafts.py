@@ -14,6 +14,10 @@ _STRETCH_CM, _SHAPING_CM = 10.0, 4.0
 """Per cent by which such cloth is cut smaller, and the bend of the sides at the waist, cm."""
 _OF_TOPS = 5.0, 3.0, 2.5
 """The same of tops, and their room at the chest: with less they ride up, and lie in a roll above the seat."""
+_SPORT_STRETCH_CM, _OF_SPORT = 8.0, (2.0, 4.0)
+"""Tops of cloth that gives so much lie on the body all the way: their room at the chest and their bend."""
+_SPORT_LENGTH_CM, _WAIST_CM = 34.0, 12.0
+"""They end below the seat, which shorter ones ride up, unless they end at the waist, cm below it."""
 _KNITTED = ("t-shirt", "tank-top", "turtleneck", "shift-dress")
 """Drafts without darts that follow the body where their cloth stretches."""
 _DRESSES = ("fitted-dress", "skater-dress")
@@ -69,7 +73,13 @@ def clinging_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
         stretch, room, shaping = (
             (_STRETCH_CM, _CHEST_CM, _SHAPING_CM) if draft.name == "shift-dress" else _OF_TOPS
         )
-        options[STRETCH] = max(stretch, float(options.get(STRETCH, 0.0)))
+        own = float(options.get(STRETCH, 0.0))
+        if draft.name != "shift-dress" and own >= _SPORT_STRETCH_CM:
+            room, shaping = _OF_SPORT
+            told = any(claim.name in ("top_hem", "length_cm") for claim in claims)
+            if not told and float(options.get("length", _SPORT_LENGTH_CM)) >= _WAIST_CM:
+                options["length"] = _SPORT_LENGTH_CM
+        options[STRETCH] = max(stretch, own)
         options |= {"chest_ease": room, SHAPING: shaping, "flare": 0.0}
         if draft.name != "tank-top":
             options |= _close_sleeves(draft.name, options)

@@ -73,7 +73,8 @@ _SLEEVELESS = {"strap_width": 8.0, "neck_widening": 2.0, "neck_depth": 10.0, "ba
 _SWEATSHIRT = "sweatshirt"
 _FLAT = ("collar", "folded")
 _OF_NECKLINES = frozenset({"neckline", "collar", "hood", "straps"})
-_OF_TORSO = ("length", "chest_ease", "flare", "sleeve_length", "arm_ease", "sleeve_end", "side_slits")
+_OF_SLEEVES = ("sleeve_length", "arm_ease", "sleeve_end")
+_OF_TORSO = ("length", "chest_ease", "flare", "side_slits", "stretch", *_OF_SLEEVES)
 """Options of T-shirts that turtlenecks have as well."""
 _PIECES: Mapping[str, tuple[str, int, int]] = {
     "tiered-skirt": ("tiers", 2, 6),
