@@ -33,6 +33,21 @@ GRIP = {Step("waistband width", -1, 3.0)}
 @pytest.mark.parametrize(
     ("text", "kind", "changes"),
     [
+        # As people say it
+        ("flouncy cuffs", "dress", {gain("cuffs", "flounce")}),
+        ("let out side seams by 1 cm each", "top", {Step("chest", 1, 2.0)}),
+        (
+            "Let out the side seams a centimetre either side of each, 4 cm round the chest in all.",
+            "top",
+            {Step("chest", 1, 4.0)},
+        ),
+        ("the wavy bit along the bottom, make that straight", "skirt", {gain("hem_shape", "level")}),
+        ("make the zigzag hem straight", "skirt", {gain("hem_shape", "level")}),
+        ("Hem in points, hood up", "dress", {gain("hem_shape", "pointed"), gain("hood", "hood")}),
+        ("make pant shorter 3 cm", "trousers", {Step("leg length", -1, 3.0)}),
+        ("baggier, like it's my dad's", "top", {Step("chest", 1)}),
+        ("cut the front a good bit longer", "dress", {Step("length", 1)}),
+        ("show no cleavage", "dress", {Step("neck depth", -1)}),
         # One shoulder, one sleeve
         ("off one shoulder, nothing on the left side at all", "dress", {gain("shoulders", "bare left")}),
         ("one-shoulder, bare on the right", "dress", {gain("shoulders", "bare right")}),

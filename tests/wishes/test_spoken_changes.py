@@ -27,6 +27,11 @@ def gain(name, value):
     ("text", "kind", "changes"),
     [
         ("longer", "trousers", [Step("leg length", 1)]),
+        ("slouchier", "jumpsuit", [Step("chest", 1)]),
+        ("the waistband can be 3 cm taller", "trousers", [Step("waistband height", 1, 3.0)]),
+        ("inseam +3, hem opening -2", "trousers", [Step("leg length", 1, 3.0), Step("leg end", -1, 2.0)]),
+        ("hem sweep plus 10", "dress", [Step("skirt hem", 1, 10.0)]),
+        ("make it a wrap", "dress", []),
         ("ein tieferer Ausschnitt vorne", "dress", [Step("neck depth", 1)]),
         ("mit engeren Ärmeln", "top", [Step("sleeve width", -1)]),
         ("etwas mehr Platz am Oberschenkel", "trousers", [Step("thigh", 1)]),
@@ -253,3 +258,19 @@ def test_what_opposite_things_are_asked_of_is_named():
 )
 def test_a_comparison_that_is_refused_is_not_done(text):
     assert heard(text).changes == () and "chest" in heard(text).kept
+
+
+@pytest.mark.parametrize("text", ["ankle-length micro skirt", "a mini maxi skirt"])
+def test_of_words_that_contradict_each_other_none_counts(text):
+    found = heard(text, "skirt", lambda claim: claim == Claim("kind", "skirt"))
+    assert not found.changes and found.clashes
+
+
+def test_all_that_contradictory_words_say_is_left_open():
+    found = heard("strapless, with nice broad straps", "top", lambda claim: claim == Claim("sleeves", "none"))
+    assert not found.changes and found.clashes
+
+
+def test_what_everybody_likes_stays_but_for_what_is_excepted():
+    found = heard("I like everything about it except the neckline, which should be square")
+    assert found.changes == (gain("neckline", "square"),) and "neck depth" not in found.kept

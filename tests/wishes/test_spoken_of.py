@@ -141,3 +141,32 @@ def test_the_size_of_a_small_part_is_not_that_of_the_garment(reader, dress):
         found = heard(text, reader, dress)
         assert not any(subject_of(w.change) in ("fit", "chest") for w in found.sure)
         assert any(word in found.unread for word in text.split()), "what the word says is not done"
+
+
+@pytest.fixture(scope="module")
+def skirt():
+    return measure_facts(swifttailor.draft("gored-skirt"))
+
+
+@pytest.fixture(scope="module")
+def top():
+    return measure_facts(swifttailor.draft("t-shirt"))
+
+
+def test_what_a_text_says_first_of_all_is_no_guess(reader, top):
+    assert Step("chest", 1) in asked("way baggier like i stole it from my brother", reader, top)
+
+
+def test_a_length_named_after_a_garment_asks_for_no_such_garment(reader, top):
+    assert asked("tunic length", reader, top) == [Gain(Claim("top_hem", "long"))]
+
+
+def test_counted_pieces_are_halved(reader, skirt):
+    found = asked("that is too many gores, halve them", reader, skirt)
+    assert [c.amount for c in found if subject_of(c) == "gores"] == [3.0]
+
+
+def test_where_a_hem_is_to_end_outweighs_a_small_step(reader, skirt):
+    found = asked("too short, down to the floor", reader, skirt)
+    assert Gain(Claim("skirt_hem", "floor")) in found
+    assert not any(isinstance(c, Step) and c.amount for c in found)

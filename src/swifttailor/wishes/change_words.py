@@ -58,6 +58,23 @@ def find_changes(text: str) -> list[ChangeWord]:
     return sorted(found, key=lambda word: word.start)
 
 
+_BEFORE = re.compile(
+    r"\W*(?:(?:make|have|want|it|them|this|the|an?|bit|little|lot|much|way|even|just|please|pls|plz|can|could"
+    r"|you|we|i|sm|so|like|maybe|ok|okay|hey|um|hm+|soo+|waa+y|far|slightly|tad|touch)\W+)*"
+)
+
+
+def begins_with_change(text: str) -> bool:
+    """Whether a text says first of all what is to change: "way baggier, like I borrowed it".
+
+    Args:
+        text: In any case.
+    """
+    small = text.lower()
+    at = _BEFORE.match(small)
+    return at is not None and any(word.start == at.end() for word in find_changes(small))
+
+
 def _apart(text: str) -> list[ChangeWord]:
     """Verbs with their particles behind what they are said of: "bring the waist in"."""
     found = []

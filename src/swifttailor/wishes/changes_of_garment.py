@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from swifttailor.describing.claims import Claim, claims_of
@@ -77,8 +78,35 @@ def with_shares(text: str, spoken: SpokenChanges, facts: GarmentFacts) -> Spoken
     return replace(spoken, clauses=tuple(clauses))
 
 
+def with_share(text: str, change: Change, facts: GarmentFacts) -> Change:
+    """A step of what is counted by a part of how many there are: "12 gores are too many, halve them"."""
+    share = share_of(text.lower())
+    counted = isinstance(change, Step) and change.quantity in ("gores", *_COUNTED)
+    if share is None or not counted:
+        return change
+    by = _by_share(change, share, facts)
+    return replace(by, amount=float(round(by.amount))) if isinstance(by, Step) and by.amount else by
+
+
 def _by_share(change: Change, share: float, facts: GarmentFacts) -> Change:
     if not isinstance(change, Step) or change.amount is not None:
         return change
     measure = QUANTITIES[change.quantity].of(facts)
     return change if measure is None else replace(change, amount=round(share * measure, 2))
+
+
+def in_step_with_hems(told: Sequence[Change], said: Callable[[Change], bool]) -> list[Change]:
+    """Without amounts that nobody said of a length, where it is said where the hem is to end.
+
+    Args:
+        told: What is asked for.
+        said: Whether a text has the number of a change.
+    """
+    ends = {c.claim.name for c in told if isinstance(c, Gain)} & {"skirt_hem", "top_hem", "leg_hem"}
+    lengths = ("length", "leg length")
+    return [
+        replace(c, amount=None)
+        if isinstance(c, Step) and ends and c.quantity in lengths and not said(c)
+        else c
+        for c in told
+    ]

@@ -11,17 +11,24 @@ from swifttailor.describing.dimensions import QUANTITIES
 from swifttailor.describing.facts import GarmentFacts
 from swifttailor.recutting.unasked import part_of
 from swifttailor.wishes.change_parts import subjects_of
-from swifttailor.wishes.change_words import find_adjectives, find_changes, find_parts
-from swifttailor.wishes.changes_of_garment import can_become, made_where_lacking, named_kind, with_shares
+from swifttailor.wishes.change_words import begins_with_change, find_adjectives, find_changes, find_parts
+from swifttailor.wishes.changes_of_garment import (
+    can_become,
+    in_step_with_hems,
+    made_where_lacking,
+    named_kind,
+    with_share,
+    with_shares,
+)
 from swifttailor.wishes.girth_targets import with_targets
 from swifttailor.wishes.heard import Heard
+from swifttailor.wishes.left_unread import counts_elsewhere, not_answered, other_garments
 from swifttailor.wishes.mentions import find_mentions
 from swifttailor.wishes.one_arm import other_arm_kept
 from swifttailor.wishes.one_meaning import in_one_meaning, still_in
 from swifttailor.wishes.one_slit import closed_alone
 from swifttailor.wishes.reader import Wish, WishReader
 from swifttailor.wishes.sayings import plainly
-from swifttailor.wishes.spoken_amounts import share_of
 from swifttailor.wishes.spoken_changes import SpokenChanges, spoken_changes
 from swifttailor.wishes.spoken_clauses import SpokenClause, other_than
 from swifttailor.wishes.spoken_measures import is_of_another, spoken_measures
@@ -34,6 +41,7 @@ from swifttailor.wishes.stated_figures import (
     without_vague_depth,
 )
 from swifttailor.wishes.sureness import likely_wishes, sure_wishes
+from swifttailor.wishes.taken_back import without_taken_back
 from swifttailor.wishes.text_as_read import ENGLISH, lacks_of, text_as_read
 from swifttailor.wishes.trims_wanted import speaks_of_trims_alone
 from swifttailor.wishes.unread import not_understood, says_nothing_else, unread_numbers
@@ -48,7 +56,8 @@ from swifttailor.wishes.whole_instruction import (
 from swifttailor.wishes.whole_of_kind import of_kind
 from swifttailor.wishes.whole_sentences import is_letter, whole_of
 from swifttailor.wishes.without_looks import without_looks
-from swifttailor.wording.lexicon import SURENESS, Entry, WordMark, WordReading, exclude, read_words
+from swifttailor.wishes.word_by_word import in_english
+from swifttailor.wording.lexicon import SURENESS, WordMark, WordReading, exclude, read_words
 
 SURE_IN_KNOWN_WORDS = 0.7
 """Enough for an edit whose words are all known ones for what was read: 147 of 162 such wishes
@@ -74,6 +83,7 @@ def hear_instruction(text: str, reader: WishReader, facts: GarmentFacts | None =
         reader: The network.
         facts: Of the garment; None where it cannot be measured.
     """
+    text = in_english(without_taken_back(text))
     shown, words = text_as_read(text, None if facts is None else named_kind(facts))
     rest = without_looks(shown, words, facts)
     if rest == shown:
@@ -93,13 +103,21 @@ def _heard_changes(text: str, reader: WishReader, facts: GarmentFacts | None) ->
     kind = None if facts is None else named_kind(facts)
     text, words = text_as_read(text, kind)
     own = text
-    plain = in_one_meaning(plainly(text, kind or "dress"), words.language)
+    plain = plainly(text, kind or "dress")
+    by_saying = plain != text.lower()
+    plain = in_one_meaning(plain, words.language)
     plain = plain if facts is None else with_targets(plain, kind or "dress", facts)
     if plain != text.lower():
         text, words = plain, read_words(plain, kind=kind, language=still_in(words.language))
-    spoken = spoken_changes(
-        text, words, kind or "dress", lambda claim: facts is not None and claim.holds(facts)
-    )
+
+    def is_so(claim: Claim) -> bool:
+        return facts is not None and claim.holds(facts)
+
+    spoken = spoken_changes(text, words, kind or "dress", is_so)
+    put_plainly: list[Change] = []
+    if by_saying:  # what somebody has written into a table is known better than guessed
+        before = spoken_changes(own, text_as_read(own, kind)[1], kind or "dress", is_so).changes
+        put_plainly = [c for c in _clear(spoken) if c not in before]
     if facts is not None:
         spoken = with_shares(text, spoken, facts)
     told = list(spoken.changes)
@@ -168,10 +186,13 @@ def _heard_changes(text: str, reader: WishReader, facts: GarmentFacts | None) ->
     if words.language == ENGLISH and not speaks_of_trims_alone(words):
         whole, clear = whole_of(own, reader), _clear(spoken)
         whole = whole if facts is None or kind is None else of_kind(whole, kind, facts)
-        firm = [change for _, some in taken for change in some]
+        firm = [change for _, some in taken for change in some] + put_plainly
         firm += [c for c in said if is_of_places(c) or (c in clear and _says_how_much(own, c))]
         spoken_of = parts_spoken_of(own, kind)
         details = [Gain(i.claim) for i in words.implications if i.said]
+        firm += [
+            Gain(i.claim) for i in words.implications if i.said and i.mark.word.lower().endswith("length")
+        ]
         names = [Gain(i.claim) for i in words.implications if not i.said and i.claim.name != "kind"]
 
         def is_said(change: Change) -> bool:
@@ -179,6 +200,8 @@ def _heard_changes(text: str, reader: WishReader, facts: GarmentFacts | None) ->
                 return True
             if change not in said or change in names:
                 return False
+            if isinstance(change, Step) and begins_with_change(own):
+                return True
             return (change in clear and not unread) or spoken_of.speaks_of(change)
 
         sure, alone = without_guesses(sure, whole, is_said)
@@ -215,6 +238,10 @@ def _heard_changes(text: str, reader: WishReader, facts: GarmentFacts | None) ->
         guessed = [w for w in (*guessed, *alone) if part_of(subject_of(w.change)) not in parts]
         perhaps = tuple(dict.fromkeys([*perhaps, *[wish.change for wish in guessed]]))
     sure = sure if facts is None else closed_alone(sure, never, facts)
+    asked = in_step_with_hems([wish.change for wish in sure], lambda change: _says_how_much(own, change))
+    if facts is not None:
+        asked = [with_share(own, change, facts) for change in asked]
+    sure = [replace(wish, change=change) for wish, change in zip(sure, asked, strict=True)]
     if one_leg := ONE_LEG.search(text):
         sure = [w for w in sure if subject_of(w.change) not in OF_LEGS]
         unsure, perhaps = (
@@ -223,13 +250,13 @@ def _heard_changes(text: str, reader: WishReader, facts: GarmentFacts | None) ->
         )
         unread.append(f"{one_leg[0]} (both legs are cut alike)")
     changes = [wish.change for wish in sure]
-    unread += _other_garments(text, words, kind, changes)
+    unread += other_garments(text, words, kind, changes)
     unread += {m.word: None for m in words.marks if m.role == "astray" and not m.denied}
     unread += [
-        n for n in unread_numbers(text, [*changes, *figures]) if not _counts_elsewhere(n, text, changes)
+        n for n in unread_numbers(text, [*changes, *figures]) if not counts_elsewhere(n, text, changes)
     ]
     lacks = tuple([lack for lack in lacks_of(words, changes, measures) if lack.said])
-    silent = tuple(dict.fromkeys(_not_answered(unread, words)))
+    silent = tuple(dict.fromkeys(not_answered(unread, words)))
     return Heard(
         text,
         tuple(sure),
@@ -257,21 +284,6 @@ def _is_chatter(text: str, clause: SpokenClause, words: WordReading) -> bool:
         clause.start <= mark.start < clause.end and any(e.implied or e.part for e in mark.entries)
         for mark in words.marks
     )
-
-
-def _other_garments(text: str, words: WordReading, kind: str | None, changes: Sequence[Change]) -> list[str]:
-    """Names of garments behind "with", where nothing came of them: "in one piece with trousers"."""
-    if any(isinstance(c, Gain) and c.claim.name in ("kind", "skirt") for c in changes):
-        return []
-    found = []
-    for mark in words.marks:
-        named = {i.claim.value for e in mark.entries for i in e.implied if i.claim.name == "kind"}
-        joined = (
-            text[: mark.start].lower().rstrip().endswith(("with", "mit", "avec", "con", "met", "com", "and"))
-        )
-        if not mark.denied and mark.entries and mark.entries[0].category == "garments" and joined:
-            found += [] if kind in named else [mark.word]
-    return found
 
 
 def _by_network(
@@ -314,15 +326,6 @@ def _says_how_much(text: str, change: Change) -> bool:
     """Whether a text has the number by which something is to change, and not only that it is to."""
     amount = change.amount if isinstance(change, Step) else None
     return amount is not None and any(abs(amount - m.value) < 0.1 for m in find_mentions(text))
-
-
-def _counts_elsewhere(number: str, text: str, changes: Sequence[Change]) -> bool:
-    """Whether a number is in no wish as it stands and yet counts: as a share, on both sides."""
-    if share_of(text.lower()) is not None:
-        return True
-    value = next((m.value for m in find_mentions(number)), None)
-    amounts = [c.amount for c in changes if isinstance(c, Step) and c.amount is not None]
-    return value is not None and any(abs(amount - 2 * value) < 0.1 for amount in amounts)
 
 
 def _less(text: str, words: WordReading) -> frozenset[Claim]:
@@ -382,18 +385,6 @@ def _still_unread(
     return tuple([words for words in clause.left_over if set(words.split()) & set(missed)])
 
 
-def _not_answered(unread: Sequence[str], words: WordReading) -> tuple[str, ...]:
-    """What was not understood, without what the lexicon answers: colours, fabrics, what cannot be made."""
-    answered = [color.words for color in words.colors] + [lack.mark.word for lack in words.lacks if lack.said]
-    answered += [mark.word for mark in words.marks if any(_is_fabric(entry) for entry in mark.entries)]
-    known = {part.lower() for word in answered for part in word.split()}
-    return tuple([text for text in unread if not {part.lower() for part in text.split()} <= known])
-
-
 def _is_strange(clause: SpokenClause, words: WordReading) -> bool:
     """Whether words that nobody knows stand in it: its number may be of these ("20 cm glorpier")."""
     return any(clause.start <= mark.start < clause.end for mark in words.marks if not mark.entries)
-
-
-def _is_fabric(entry: Entry) -> bool:
-    return entry.category == "fabrics" and entry.cloth is not None

@@ -60,6 +60,8 @@ _ALL_STAYS = re.compile(
     r"(?<!\w)(?:(?:everything|all(?: of it)?|the (?:rest|lot)) (?:else )?"
     r"(?:stays?|should stay|can stay|is (?:fine|good|perfect|great))"
     r"|(?:keep|leave) (?:everything|it all|all of it|the rest|the lot)"
+    r"|(?:(?:i|we) (?:do |really |quite )?|she |he )(?:like|love|adore)s? "
+    r"(?:everything|it all|all of it|the rest|the lot|the whole thing)"
     r"|alles (?:bleibt|so lassen)|tout garder)(?!\w)"
 )
 """What is excepted from it is to change: "everything stays apart from the skirt"."""

@@ -57,7 +57,8 @@ _OF_HEMS = frozenset(
 )
 """What is said of a skirt, where no part is named."""
 _PRONOUNS = frozenset({"it", "them", "es", "ihn"})
-_GIRTHS = frozenset({"chest", "waist", "hips", "thigh", "armholes", "shoulders"})
+_GIRTHS = frozenset({"chest", "waist", "hips", "thigh", "armholes", "shoulders", "leg_end", "sleeve_end"})
+_AROUND = re.compile(r"flare|(?<!\w)(?:sweep|circumference|girth)(?!\w)")
 _TAKEN_OUT = re.compile(r"(?<!\w)(?:take|get|pull|taking)(?!\w)[^.]*(?<!\w)out(?!\w)")
 _EVERYTHING = re.compile(
     r"(?<!\w)(?:everything|everywhere|all over|throughout|the whole thing|every part"
@@ -291,7 +292,7 @@ def _is_plain(text: str, bounds: tuple[int, int], parts: Sequence[PartWord]) -> 
 
 def _is_around(parts: Sequence[PartWord], said: str) -> bool:
     """Whether a number is of the girth of a part."""
-    return any(p.word.startswith(("bicep", "upper arm")) for p in parts) or "flare" in said
+    return any(p.word.startswith(("bicep", "upper arm")) for p in parts) or bool(_AROUND.search(said))
 
 
 def is_of_lack(text: str, mark: WordMark, words: WordReading) -> bool:

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 from swifttailor.describing.claims import Claim
 from swifttailor.describing.differences import Change, Gain, Step, subject_of
-from swifttailor.wording.lexicon import WordReading, exclude
+from swifttailor.wording.lexicon import WordMark, WordReading, exclude
 
 
 @dataclass(frozen=True)
@@ -57,13 +57,21 @@ def clashes_of(
     for pair in words.contradictions:
         if pair.first.word.lower() == pair.second.word.lower():
             continue  # one that is there, and what becomes of it
+        first, second = (_claims_of(mark, words) for mark in (pair.first, pair.second))
+        opposite = {c for a in first for b in second if exclude(a, b) for c in (a, b)}
         said = [i.claim for i in words.implications if i.mark in (pair.first, pair.second)]
-        if any(is_so(claim) for claim in said):
-            continue
-        for mark in (pair.first, pair.second):
-            for name in {i.claim.name for i in words.implications if i.mark is mark}:
-                clashes.append((pair.first.word, pair.second.word, name))
+        if any(is_so(claim) for claim in said if claim in opposite or not opposite):
+            continue  # what is there, and what it is to become
+        for name in dict.fromkeys(claim.name for claim in (*first, *second)):
+            clashes.append((pair.first.word, pair.second.word, name))
     return clashes
+
+
+def _claims_of(mark: WordMark, words: WordReading) -> list[Claim]:
+    """What a word says of the cut, though another word outdoes it; what the garment is says no such thing."""
+    own = [claim for entry in mark.entries for claim in entry.claims("certain")]
+    own += [i.claim for i in words.implications if i.mark is mark]
+    return [claim for claim in dict.fromkeys(own) if claim.name != "kind"]
 
 
 _GONE = {
@@ -124,6 +132,6 @@ _INSTEAD = {
     "fit": {"oversized": "easy", "loose": "easy", "close": "easy"},
     "shoulders": {"strapless": "both"},
     "sleeves": {"none": "short"},
-    "skirt_hem": {"micro": "knee", "mini": "knee", "maxi": "midi", "floor": "midi"},
+    "skirt_hem": {"micro": "knee", "mini": "knee", "above the knee": "knee", "maxi": "midi", "floor": "midi"},
 }
 """What is made where only the opposite is said."""

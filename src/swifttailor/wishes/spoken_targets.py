@@ -38,6 +38,8 @@ _BESIDE_NUMBERS = frozenset(
     "long short wide high deep lang largo hoch tief lungo lunga lunghi lunghe comprido comprida longo "
     "longa".split()
 )
+_HALF_DONE = frozenset({"wrap"})
+"""What cannot be made and goes with something that alone is no part of it: a V neck makes no wrap."""
 _PARTS_OF = {"dress": ("skirt", "top"), "jumpsuit": ("trousers", "top"), "playsuit": ("shorts", "top")}
 
 
@@ -53,7 +55,7 @@ def meant(text: str, words: WordReading, kind: str) -> list[Implication]:
     for each in beside_no_numbers(text, words.implications):
         certain = each.certainty == "certain"
         unmade = any(entry.cannot for entry in each.mark.entries) and each.claim.name != "kind"
-        if unmade and not certain:
+        if unmade and (not certain or any(_HALF_DONE.intersection(e.cannot) for e in each.mark.entries)):
             continue  # what goes with a detail that cannot be made is not asked for without it
         if each.said and each.certainty != "likely":
             peplum = each.claim.value == "peplum" and kind in ("top", "tunic")
