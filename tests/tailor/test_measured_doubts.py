@@ -73,3 +73,12 @@ def test_a_waist_that_is_to_stay_and_does_not_is_told():
     assert any(f"is {-moved:.1f} cm narrower" in note for note in order_notes(kept, kept.wanted))
     untouched = answer_to("closer, leave the waist", dress, edit=dress, changes=[step], kept=waist)
     assert untouched.moved_waist is None
+
+
+def test_figures_of_an_instruction_that_are_missed_are_told():
+    length = facts_of(SHIRT).length
+    asked = Gain(Claim("length_cm", round(length + 2.5, 1)))
+    text = f"make it {asked.claim.value} cm long"
+    assert [c for _, c in answer_to(text, SHIRT, edit=SHIRT, changes=[asked]).not_so] == [asked]
+    near = Gain(Claim("length_cm", round(length + 0.5, 1)))
+    assert not answer_to(f"make it {near.claim.value} cm long", SHIRT, edit=SHIRT, changes=[near]).not_so

@@ -47,7 +47,8 @@ GRIP = {Step("waistband width", -1, 3.0)}
         ("make pant shorter 3 cm", "trousers", {Step("leg length", -1, 3.0)}),
         ("baggier, like it's my dad's", "top", {Step("chest", 1)}),
         ("cut the front a good bit longer", "dress", {Step("length", 1)}),
-        ("show no cleavage", "dress", {Step("neck depth", -1)}),
+        ("show less cleavage", "dress", {Step("neck depth", -1)}),
+        ("show no cleavage", "dress", {gain("neck_depth", "high")}),
         # One shoulder, one sleeve
         ("off one shoulder, nothing on the left side at all", "dress", {gain("shoulders", "bare left")}),
         ("one-shoulder, bare on the right", "dress", {gain("shoulders", "bare right")}),

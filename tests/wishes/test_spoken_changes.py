@@ -274,3 +274,10 @@ def test_all_that_contradictory_words_say_is_left_open():
 def test_what_everybody_likes_stays_but_for_what_is_excepted():
     found = heard("I like everything about it except the neckline, which should be square")
     assert found.changes == (gain("neckline", "square"),) and "neck depth" not in found.kept
+
+
+@pytest.mark.parametrize("text", ["I want both sleeves", "give it a second sleeve", "sleeves on both arms"])
+def test_what_has_one_sleeve_gets_the_other(text):
+    so = {Claim("sleeves", "left only"), Claim("sides", "different")}
+    assert heard(text, "top", so.__contains__).changes == (gain("sides", "alike"),)
+    assert gain("sides", "alike") not in heard(text, "top").changes

@@ -7,6 +7,7 @@ import pytest
 import swifttailor
 from swifttailor.describing import Claim
 from swifttailor.describing.differences import Gain, Step, subject_of
+from swifttailor.describing.dimensions import QUANTITIES
 from swifttailor.describing.measuring import measure_facts
 from swifttailor.wishes.hearing_changes import hear_instruction
 from swifttailor.wishes.reader import Wish, WishReader
@@ -170,3 +171,15 @@ def test_where_a_hem_is_to_end_outweighs_a_small_step(reader, skirt):
     found = asked("too short, down to the floor", reader, skirt)
     assert Gain(Claim("skirt_hem", "floor")) in found
     assert not any(isinstance(c, Step) and c.amount for c in found)
+
+
+@pytest.mark.parametrize(("text", "quantity"), [("thigh 60 cm", "thigh"), ("thigh 70 cm", "thigh")])
+def test_a_part_and_a_number_say_where_it_is_to_end(reader, trousers, text, quantity):
+    (step,) = asked(text, reader, trousers)
+    was = QUANTITIES[quantity].of(trousers)
+    assert was + step.direction * step.amount == pytest.approx(float(text.split()[1]), abs=0.1)
+
+
+@pytest.mark.parametrize("text", ["armhole 24 cm", "knee width 40 cm"])
+def test_a_number_of_a_part_is_no_length(reader, dress, text):
+    assert not any(isinstance(c, Gain) for c in asked(text, reader, dress))

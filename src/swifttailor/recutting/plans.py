@@ -164,7 +164,8 @@ def _targets(
         strict = np.array([p and test(i, CLAIMING) for p, i in zip(possible, imagined, strict=True)])
         found = _inside(values, strict, start, lever.step) if strict.any() else []
         found += [_nearest_run(values, possible, start)[0] if abs(start - values[possible]).min() else start]
-        return tuple(dict.fromkeys(found))
+        less = [part * start for part in lever.or_less if strict[np.abs(values - part * start).argmin()]]
+        return tuple(dict.fromkeys([*found, *less]))
     missed = np.array([miss(i) if p else np.inf for p, i in zip(possible, imagined, strict=True)])
     best = float(values[int(missed.argmin())])
     fine = best + lever.step * np.linspace(-1.0, 1.0, 21)

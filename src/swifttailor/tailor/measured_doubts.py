@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from swifttailor.describing.differences import Change, Gain, subject_of
 from swifttailor.describing.facts import GarmentFacts
+from swifttailor.recutting.to_the_figure import figures_missed
 from swifttailor.recutting.unasked import KEPT_CM, spoken_parts, unasked
 from swifttailor.wishes.mentions import find_mentions
 from swifttailor.wording.lexicon import WordMark
@@ -28,14 +29,18 @@ _APART = frozenset({"kind", "sides"})
 def said_and_not_so(answer: Answer) -> tuple[tuple[str, Change], ...]:
     """Words of a description that say something of the cut, by definition or of a detail, and are not so.
 
+    Of an instruction, the figures that are missed by more than a centimetre.
+
     Words that contradict each other, what is told to be missing anyhow, and what is so in another way that
     was read surely ("super short": mini) are left out.
     """
     from swifttailor.tailor.reading import facts_of
 
     wanted = answer.wanted
-    if wanted is None or wanted.order.edit is not None or wanted.heard.words is None:
+    if wanted is None or wanted.heard.words is None:
         return ()
+    if wanted.order.edit is not None:
+        return _figures_not_so(answer)
     words = wanted.heard.words
     facts = facts_of(answer.pattern)
     if facts is None:
@@ -58,6 +63,25 @@ def said_and_not_so(answer: Answer) -> tuple[tuple[str, Change], ...]:
             continue
         if not any(gain.holds(facts, facts) for gain in gains):
             found.append((word, gains[0]))
+    return tuple(found)
+
+
+def _figures_not_so(answer: Answer) -> tuple[tuple[str, Change], ...]:
+    """Numbers of an instruction that a measure is near and not at."""
+    wanted = answer.wanted
+    assert wanted is not None
+    before, after = _before_and_after(answer)
+    if before is None or after is None:
+        return ()
+    waiting = [wish.change for wish in wanted.wishes if wish.change not in answer.verdict.open]
+    found: list[tuple[str, Change]] = []
+    for change in figures_missed(waiting, before, after):
+        figure = change.claim.value if isinstance(change, Gain) else change.amount
+        said = next(
+            (m for m in find_mentions(wanted.heard.text) if abs(m.value - float(figure or 0)) < 0.1), None
+        )
+        if said is not None:
+            found.append((wanted.heard.text[said.start : said.end], change))
     return tuple(found)
 
 

@@ -29,6 +29,7 @@ from swifttailor.picture_reader.reading import PartReading
 from swifttailor.recutting.alter import Alteration, alter
 from swifttailor.recutting.nearer import towards
 from swifttailor.recutting.one_sided import asks_for_one_side
+from swifttailor.recutting.to_the_figure import to_the_figures
 from swifttailor.render.picture_file import read_picture
 from swifttailor.tailor.looking import ReadsPictures, SeenPicture, look_at, part_wanted
 from swifttailor.tailor.order import NO_READER, Order, one_line
@@ -222,6 +223,8 @@ class Wanted:
         changes = [wish.change for wish in self.wishes]
         kept = self.heard.kept
         recut = altered(self.order.edit, changes, self.original, keep_others=True, kept=kept)
+        if recut is not None:
+            recut = to_the_figures(recut, changes, self.original, kept)
         nearer = [] if recut is None else towards(recut.open, changes)
         if recut is None or not nearer:
             return recut

@@ -21,6 +21,14 @@ _STRAPS = re.compile(
     r"(?:,? (?:about|of|at|only|just|width|wide|should be|to be|be|around|maybe|like|please|are|thin|narrow"
     r"|broad))*,? $"
 )
+_ALONE = re.compile(
+    r"(?:^|[,.;:]\s*|(?<!\w)and )(?:the |my )?(?P<part>[^\W\d]+(?: [^\W\d]+)?)"
+    r"(?: (?:width|girth|circumference|depth|round|around))?\s*[:=]?\s*$"
+)
+"""A part and a number are all that is said: "thigh 60 cm"."""
+_ENDS = re.compile(r"\s*(?:$|[,.;!]|please(?!\w)|and(?!\w))")
+_LEAST, _MOST = 0.4, 2.5
+"""Shares of what it measures that a part may come to so."""
 _BY = re.compile(r" ?(?:wider|narrower|thinner|longer|shorter|more|less|off|in|out|up|down)(?!\w)")
 _THINNER = re.compile(r"(?<!\w)(?:thinner|narrower|slimmer|skinnier|smaller)(?!\w)")
 _ACROSS = re.compile(r" (?:wide|across|broad|round|around)(?!\w)")
@@ -40,6 +48,9 @@ def with_targets(text: str, kind: str, facts: GarmentFacts) -> str:
         said = _TO.search(text[: mention.start])
         if said is None and not _BY.match(text, mention.end):
             said = _STRAPS.search(text[: mention.start])
+        alone = said is None and _ENDS.match(text, mention.end)
+        if alone:
+            said = _ALONE.search(text[: mention.start])
         parts = [p for p in find_parts(said[0]) if p.part != "all"] if said else []
         if said is None or not parts:
             continue
@@ -49,6 +60,8 @@ def with_targets(text: str, kind: str, facts: GarmentFacts) -> str:
             continue
         now = QUANTITIES[steps[0].quantity].of(facts)
         if now is None or abs(mention.value - now) < 0.1:
+            continue
+        if alone and not _LEAST * now <= mention.value <= _MOST * now:
             continue
         way = "wider" if mention.value > now else "narrower"
         plain = f"{part.word} {way} by {abs(mention.value - now):.1f} cm"

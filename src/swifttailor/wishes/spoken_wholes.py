@@ -26,6 +26,14 @@ _ALIKE = re.compile(
     r"|beide (?:seiten|ärmel)|gleich lang|symmetrisch|symétrique|simétric[oa]|simmetric[oa]"
     r"|even lang)(?!\w)"
 )
+_SECOND = re.compile(
+    r"(?<!\w)(?:both|two|the missing|the other|the second|a second|another|a matching) (?:\w+ )?"
+    r"(?:sleeves?|arms?)(?!\w)"
+    r"|(?<!\w)sleeves? on (?:both sides|both arms|the other (?:side|arm))(?!\w)"
+)
+"""Of what has one sleeve: that it is to have two."""
+_ONE_SLEEVE = (Claim("sleeves", "left only"), Claim("sleeves", "right only"))
+_REMOVED = re.compile(r"(?<!\w)(?:no|not|without|lose|remove|ditch|off|rid)(?!\w)")
 _LEVEL = re.compile(
     r"(?<!\w)(?:straighten|level|even)(?: out| up| off)? (?:the|my|this) (?:hem|hemline|bottom)(?!\w)"
     r"|(?<!\w)(?:hem|hemline|bottom)(?: (?:to be|is|all))? (?:level|straight|even)(?!\w)"
@@ -130,6 +138,8 @@ def of_wholes(said: str, grown: Sequence[ChangeWord], kind: str, is_so: _IsSo) -
         is_so: Whether a claim is true of it.
     """
     if is_so(Claim("sides", "different")) and _ALIKE.search(said):
+        return (Gain(Claim("sides", "alike")),)
+    if any(map(is_so, _ONE_SLEEVE)) and not grown and _SECOND.search(said) and not _REMOVED.search(said):
         return (Gain(Claim("sides", "alike")),)
     if _LEVEL.search(said) and not is_so(Claim("hem_shape", "level")):
         return (Gain(Claim("hem_shape", "level")),)

@@ -54,6 +54,8 @@ class Lever:
     """Claims and quantities it may be used for; all when empty."""
     gathers: bool = False
     """Whether seams are meant to join other lengths afterwards."""
+    or_less: tuple[float, ...] = ()
+    """Parts of the measure to which it may be moved besides, where what it is leaves no room for the cut."""
 
     @property
     def label(self) -> str:

@@ -30,6 +30,12 @@ _CUT: dict[NewShape, str] = {
 }
 
 
+_OR_SHALLOWER = (0.8, 0.65, 0.5)
+"""A deep neckline leaves no room for the corners of another shape; then it is cut less deep."""
+_BOAT_CM = 9.0
+"""As deep as a boat neckline is cut before it is widened."""
+
+
 def plain_neck(facts: GarmentFacts, face: Face) -> Neckline | None:
     """A neckline with two shoulders."""
     neck = facts.front_neck if face == "front" else facts.back_neck
@@ -74,6 +80,7 @@ def _depth_lever(face: Face, shape: NewShape | None) -> Lever:
         span=fixed(3.5, 50.0),
         step=0.5,
         words=("deeper", "shallower"),
+        or_less=() if shape is None else _OR_SHALLOWER,
     )
 
 
@@ -97,6 +104,28 @@ def _half_shape(side: Half, shape: NewShape) -> Trick:
         cut=cut,
         only_for=_SHAPED,
     )
+
+
+def _for_a_boat(facts: GarmentFacts) -> GarmentFacts | None:
+    neck = plain_neck(facts, "front")
+    if neck is None or neck.left is None or neck.right is None:
+        return None
+    depth = min(neck.depth or _BOAT_CM, _BOAT_CM)
+    if neck.left.shape == neck.right.shape == "round" and (neck.depth or 0.0) <= _BOAT_CM:
+        return None
+    halves = [NeckHalf("round", depth, half.width) for half in (neck.left, neck.right)]
+    return replace(facts, front_neck=Neckline(*halves))
+
+
+def _cut_for_a_boat(cutter: Cutter) -> Pattern | None:
+    neck = plain_neck(cutter.facts, "front")
+    by = min(_BOAT_CM - (neck.depth or _BOAT_CM), 0.0) if neck else 0.0
+
+    def recut(bare: Cutter) -> Pattern | None:
+        edges = bare.neckline("front")
+        return recut_neckline(bare.pattern, edges, by, "round") if edges else None
+
+    return recut_under(cutter, recut)
 
 
 def _width(facts: GarmentFacts) -> float | None:
@@ -147,6 +176,14 @@ NECK_LEVERS: tuple[Lever, ...] = (
         words=("wider on each side", "narrower on each side"),
     ),
 )
-NECK_TRICKS: tuple[Trick, ...] = tuple(
-    _half_shape(side, shape) for side in ("left", "right") for shape in _SHAPES
+NECK_TRICKS: tuple[Trick, ...] = (
+    *(_half_shape(side, shape) for side in ("left", "right") for shape in _SHAPES),
+    Trick(
+        name="front neckline cut shallow and round",
+        stage=4,
+        imagine=_for_a_boat,
+        cut=_cut_for_a_boat,
+        only_for=("neckline: boat",),
+        opens=("neckline: boat",),
+    ),
 )
