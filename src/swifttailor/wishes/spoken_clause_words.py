@@ -180,7 +180,7 @@ def read_clause(
         amount = None if target is not None else length
         if amount is not None and _EACH.search(said) and word.what == "width":
             amount *= 2
-        made: tuple[Change, ...] = () if bare else hem_shape(said, named, word, kind)
+        made: tuple[Change, ...] = () if bare else hem_shape(said, named, word, kind, amount)
         if named in (None, "all") and kind in _SKIRTED and not (them or (bare and last)):
             if set(text[word.start : word.end].split()) & _OF_HEMS:
                 named = "hem"

@@ -39,9 +39,22 @@ _PLACES = {
 """Where a slit is, by words; "at the side" is at the left."""
 
 
-def hem_shape(said: str, part: str | None, word: ChangeWord, kind: str) -> tuple[Change, ...]:
-    """A hem that is to be longer on one side alone."""
-    if word.what == "width" or part not in (None, "all", "hem", "skirt") or kind in ("trousers", "shorts"):
+def hem_shape(
+    said: str, part: str | None, word: ChangeWord, kind: str, amount: float | None = None
+) -> tuple[Change, ...]:
+    """A hem that is to be longer on one side alone.
+
+    Args:
+        said: The clause, in lower case.
+        part: That the word is said of.
+        word: The word of change.
+        kind: Of the garment.
+        amount: By how many cm, where that is said.
+    """
+    if word.what == "width" or kind in ("trousers", "shorts"):
+        return ()
+    # "The back longer" is said of the hem, "the back lower" of the neckline.
+    if part not in (None, "all", "hem", "skirt") and (part, word.what) != ("back", "length"):
         return ()
     side = _SIDE.search(said)
     if side is None:
@@ -49,7 +62,13 @@ def hem_shape(said: str, part: str | None, word: ChangeWord, kind: str) -> tuple
     longer = word.sign > 0 if word.what == "length" else word.sign < 0
     if side["left"] or side["right"]:
         return (Gain(Claim("hem_shape", f"lower {'left' if bool(side['left']) == longer else 'right'}")),)
-    return (Gain(Claim("hem_shape", "high-low")),) if bool(side["back"]) == longer else ()
+    behind = bool(side["back"]) == longer
+    if amount is not None and (word.what == "length" or part in ("hem", "skirt")):
+        return (Step("dip", 1 if behind else -1, amount),)
+    if behind:
+        return (Gain(Claim("hem_shape", "high-low")),)
+    # "Lower in front" without a word for the hem is more likely said of the neckline.
+    return (Step("dip", -1),) if word.what == "length" or part in ("hem", "skirt") else ()
 
 
 def slit(said: str, denied: bool) -> list[Change]:
