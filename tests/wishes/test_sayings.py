@@ -53,6 +53,12 @@ GRIP = {Step("waistband width", -1, 3.0)}
         ("shorter at the front", "skirt", {gain("hem_shape", "high-low")}),
         ("the waistband a good 3 cm taller", "skirt", {Step("waistband height", 1, 3.0)}),
         ("the neck closed up with a little standing collar", "dress", {gain("collar", "stand")}),
+        (
+            "sleeve length + 2cm / body length - 3cm",
+            "top",
+            {Step("sleeve length", 1, 2.0), Step("length", -1, 3.0)},
+        ),
+        ("cover bum", "top", {gain("top_hem", "long")}),
         ("show less cleavage", "dress", {Step("neck depth", -1)}),
         ("show no cleavage", "dress", {gain("neck_depth", "high")}),
         # One shoulder, one sleeve

@@ -183,3 +183,8 @@ def test_a_part_and_a_number_say_where_it_is_to_end(reader, trousers, text, quan
 @pytest.mark.parametrize("text", ["armhole 24 cm", "knee width 40 cm"])
 def test_a_number_of_a_part_is_no_length(reader, dress, text):
     assert not any(isinstance(c, Gain) for c in asked(text, reader, dress))
+
+
+@pytest.mark.parametrize("text", ["tight and loose", "make it shorter and longer at the same time"])
+def test_who_asks_for_opposites_gets_neither(reader, dress, text):
+    assert not asked(text, reader, dress) and heard(text, reader, dress).clashes

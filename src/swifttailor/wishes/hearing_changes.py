@@ -50,6 +50,7 @@ from swifttailor.wishes.whole_instruction import (
     go_together,
     is_disputed,
     uncertain,
+    undisputed,
     with_the_whole,
     without_guesses,
 )
@@ -120,7 +121,7 @@ def _heard_changes(text: str, reader: WishReader, facts: GarmentFacts | None) ->
         put_plainly = [c for c in _clear(spoken) if c not in before]
     if facts is not None:
         spoken = with_shares(text, spoken, facts)
-    told = list(spoken.changes)
+    told = undisputed(spoken.changes, spoken.disputed, len(own.split()))
     stated = {}
     measures = spoken_measures(text, kind)
     for measure in measures:

@@ -24,7 +24,7 @@ DOUBTED, DOUBTED_BESIDE = 0.15, 0.02
 """Less than this speaks against what was heard, where something else is read: words left over or not."""
 AT_ODDS = 0.05
 """Less than this, where something else is read, counts against what was heard like a word left over."""
-FEW_WORDS, DECIDED, AHEAD = 8, 0.8, 0.1
+FEW_WORDS, DECIDED, AHEAD = 9, 0.8, 0.1
 """Of more words, what is so certain and so far ahead of its opposite decides what seems a contradiction."""
 KNOWN = 0.7
 """What the network alone reads with less is meant in every second text: done, and said to be unsure."""
@@ -157,6 +157,12 @@ def is_disputed(change: Change, disputed: Set[str], whole: Mapping[Change, float
     rivals = [chance for other, chance in whole.items() if subject_of(other) == subject and other != change]
     chance = whole.get(change, 0.0)
     return words <= FEW_WORDS or chance < DECIDED or max(rivals, default=0.0) > chance - AHEAD
+
+
+def undisputed(told: Sequence[Change], disputed: Set[str], words: int) -> list[Change]:
+    """Without what a few words ask of a part that they contradict themselves about: "tight and loose"."""
+    parts = {part for subject in disputed if (part := part_of(subject)) is not None}
+    return [c for c in told if words > FEW_WORDS or part_of(subject_of(c)) not in parts]
 
 
 def _same(one: Change, other: Change) -> bool:
