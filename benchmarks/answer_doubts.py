@@ -38,6 +38,7 @@ def doubts(answer: Answer) -> list[str]:
     found += [] if answer.moved_waist is None else ["the waist was to stay"]
     missing = [wish.change for wish in answer.not_done if wish.certainty >= USUAL]
     found += [f"not done: {wish_line(change)}" for change in missing]
+    found += wanted.warnings
     return [*found, "nothing was changed"] if answer.is_given else found
 
 

@@ -42,7 +42,7 @@ class MadeBody:
 
 
 def body_to_measure(
-    measures: Mapping[str, float], *, figure: str | None = None, name: str = "measured"
+    measures: Mapping[str, float], *, figure: str | None = None, name: str = "measured", nearest: bool = False
 ) -> MadeBody:
     """Makes the likeliest body that has given measures.
 
@@ -54,11 +54,14 @@ def body_to_measure(
         figure: ``women``, ``men`` or ``children``, by which is chosen what the measures leave open; adults
             near the default body when None, children below 148 cm.
         name: Of the body.
+        nearest: Whether the nearest body is taken where none has these measures, instead of refusing them.
 
     Raises:
         InputError: A measure is unknown or out of range, or no body of the shapes has all of them together;
             the text says which come nearest.
     """
+    if nearest:
+        measures = _in_range(measures)
     _require_measures(measures)
     if figure is None and measures.get("height", 1e3) < CHILD_CM:
         figure = "children"
@@ -68,7 +71,8 @@ def body_to_measure(
     coordinates = _solve(space, measures, mean, spread)
     landmarks = Landmarks(space.vertices(coordinates))
     taken = {one: take(one, landmarks) for one in measures}
-    _require_met(measures, taken)
+    if not nearest:
+        _require_met(measures, taken)
     default = Body.default()
     body = Body(name, landmarks.vertices, default.faces, default.vertex_part, measurements_of(landmarks))
     return MadeBody(body, coordinates, taken)
@@ -141,13 +145,25 @@ def _require_measures(measures: Mapping[str, float]) -> None:
             )
 
 
-def _require_met(wanted: Mapping[str, float], taken: Mapping[str, float]) -> None:
-    missed = [
+def _in_range(measures: Mapping[str, float]) -> dict[str, float]:
+    """The measures, those that no person has as the nearest that one may have."""
+    return {
+        name: min(max(value, MEASURES[name].smallest), MEASURES[name].largest) if name in MEASURES else value
+        for name, value in measures.items()
+    }
+
+
+def missed(wanted: Mapping[str, float], taken: Mapping[str, float]) -> list[str]:
+    """The measures that a body has otherwise than they are wanted."""
+    return [
         name
         for name, value in wanted.items()
         if abs(taken[name] - value) > max(TOLERANCE_CM, TOLERANCE * value)
     ]
-    if not missed:
+
+
+def _require_met(wanted: Mapping[str, float], taken: Mapping[str, float]) -> None:
+    if not missed(wanted, taken):
         return
     nearest = ", ".join(f"{name}={taken[name]:.1f}" for name in wanted)
     asked = ", ".join(f"{name}={value:g}" for name, value in wanted.items())

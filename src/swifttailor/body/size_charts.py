@@ -23,7 +23,7 @@ _WORDS = {
     for value, words in table.items()
     for word in words.split()
 } | {"size": ("", ""), "sized": ("", ""), "sz": ("", "")}
-_LETTERS = {"2XL": "XXL", "EXTRA-LARGE": "XL"}
+_LETTERS = {"2XL": "XXL", "EXTRA-LARGE": "XL", "XXXL": "3XL", "XXXXL": "4XL"}
 
 
 @dataclass(frozen=True)

@@ -4,14 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from pathlib import Path
 
 from swifttailor.body.body import Body
-from swifttailor.body.made_to_measure import body_to_measure
+from swifttailor.body.made_to_measure import body_to_measure, missed
 from swifttailor.body.measure_names import measure_name, read_measures
 from swifttailor.body.mesh_files import FORMATS
 from swifttailor.body.size_charts import find_size
+from swifttailor.body.weight import USUAL_HEIGHTS, waist_of_weight
 from swifttailor.errors import InputError
 from swifttailor.pattern.drafted_for import DraftedFor
 
@@ -38,6 +39,10 @@ class Wearer:
     before: DraftedFor | None = None
     """Who wore the garment until now. What was asked of that body holds where measures alone are said and
     none of them overrules it; a size, a file or another figure begins anew."""
+    weight: float | None = None
+    """In kg; it decides the girths where no girth and no size is said."""
+    nearest: bool = False
+    """Whether the nearest body is taken where none has these measures, instead of refusing them."""
 
     def body(self) -> Body:
         """The body.
@@ -73,6 +78,14 @@ class Wearer:
             wanted |= self.measures
             given = ", ".join(f"{k} {v:g}" for k, v in self.measures.items())
             name = f"{name}, {given}" if name else given
+        if self.weight is not None and self.size is None and not any(girth in wanted for girth in GIRTHS):
+            height = wanted.get("height") or USUAL_HEIGHTS.get(
+                figure or "", Body.default().measurements.height
+            )
+            wanted |= {"height": height, "waist": waist_of_weight(self.weight, height, figure)}
+            name = f"{name}, {self.weight:g} kg" if name else f"{self.weight:g} kg"
+        if self.nearest and wanted:
+            figure, wanted = _nearest(wanted, self.measures or {}, figure)
         if not wanted and figure is None:
             return self._posed(Body.default())
         named = DraftedFor(name or figure or "", figure, tuple(wanted.items()))
@@ -86,6 +99,23 @@ class Wearer:
                 f"{error} The garment was made for '{before.name}', from whom these are kept: "
                 f"{', '.join(kept)}. Give other values for them, or a size, which begins anew."
             ) from error
+
+    @cached_property
+    def not_had(self) -> str:
+        """What of the measures nobody has, and what was taken instead, in words; empty where all are had."""
+        if not self.nearest or self.file is not None:
+            return ""
+        size = None if self.size is None else find_size(self.size)
+        said = dict(self.measures or {})
+        figure = self.figure or (None if size is None else size.figure)
+        _, taken = _nearest(({} if size is None else size.measures) | said, said, figure)
+        wanted = said or ({} if size is None else size.measures)
+        names = missed(wanted, taken)
+        if not names:
+            return ""
+        asked = ", ".join(f"{name} {wanted[name]:.0f}" for name in names)
+        near = ", ".join(f"{name} {taken[name]:.0f}" for name in names)
+        return f"No body with {asked} cm can be had; the nearest was taken, with {near} cm."
 
     def _kept(self) -> DraftedFor | None:
         """What is known of the wearer until now and holds still, named without what is overruled."""
@@ -128,6 +158,39 @@ def body_for(
     """
     named = {measure_name(name): float(value) for name, value in (measures or {}).items()}
     return Wearer(size, named, figure=figure).body()
+
+
+def _nearest(
+    wanted: Mapping[str, float], said: Mapping[str, float], figure: str | None
+) -> tuple[str | None, dict[str, float]]:
+    """A figure and measures that one body has: those wanted, or the nearest.
+
+    Args:
+        wanted: Of a size and measures together.
+        said: The measures alone; where nobody has all, girths of the size give way to them.
+        figure: As it is said; where nobody of it has the measures, a body between the figures may be
+            nearer.
+    """
+    alone = dict(said) or dict(wanted)
+    if said and "height" in wanted:
+        alone.setdefault("height", wanted["height"])
+    tries = [(figure, dict(wanted)), (figure, alone), (None, alone)]
+    lacks = []
+    for whose, measures in tries:
+        taken = dict(_taken(tuple(measures.items()), whose))
+        if not missed(measures, taken):
+            return whose, measures
+        lacks.append(
+            (sum(abs(taken[name] / alone[name] - 1.0) for name in alone if name in taken), whose, taken)
+        )
+    _, whose, taken = min(lacks, key=lambda one: one[0])
+    return whose, {name: round(value, 1) for name, value in taken.items()}
+
+
+@lru_cache(maxsize=16)
+def _taken(measures: tuple[tuple[str, float], ...], figure: str | None) -> tuple[tuple[str, float], ...]:
+    """The measures as the nearest body has them."""
+    return tuple(body_to_measure(dict(measures), figure=figure, nearest=True).taken.items())
 
 
 @lru_cache(maxsize=4)  # one pattern is asked of several times, and it takes up to half a second

@@ -272,6 +272,20 @@ def read_order(order: Order, reader: WishReader | None, eyes: ReadsPictures | No
         NothingSeenError: There is no garment in a picture, and no text.
         NothingAskedError: A text asks for none.
     """
+    wanted = _read_order(order, reader, eyes)
+    if reader is None or order.body is not None or not one_line(order.text):
+        return wanted
+    return replace(wanted, warnings=(*wanted.warnings, *_of_wearer(order)))
+
+
+def _of_wearer(order: Order) -> tuple[str, ...]:
+    """What of the body that the text asks for is otherwise than it says."""
+    heard = hear_wearer(order.text, instruction=order.edit is not None)
+    lacking = "" if heard.wearer is None else heard.wearer.not_had
+    return (*heard.notes, lacking) if lacking else heard.notes
+
+
+def _read_order(order: Order, reader: WishReader | None, eyes: ReadsPictures | None) -> Wanted:
     if reader is None or eyes is None or not order.images:
         if order.part is not None or any(isinstance(one, SeenPicture) for one in order.images):
             raise InputError(NO_READER if reader is not None else _NOT_READ)

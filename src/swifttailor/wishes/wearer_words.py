@@ -6,23 +6,25 @@ import re
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from swifttailor.body.size_charts import charts, find_size
+from swifttailor.body.size_charts import find_size
 from swifttailor.body.wearer import Wearer
-from swifttailor.errors import InputError
-from swifttailor.wishes.girth_names import with_english_girths
+from swifttailor.wishes.body_ages import OF_AGES, SMALLEST, hear_age
+from swifttailor.wishes.body_builds import hear_build
+from swifttailor.wishes.body_figures import is_for_a_child, spoken_figure
+from swifttailor.wishes.body_girths import hear_girths
+from swifttailor.wishes.body_heights import hear_height
+from swifttailor.wishes.body_said import CM_PER_INCH, SaidBody
+from swifttailor.wishes.body_sizes import hear_size
 from swifttailor.wishes.not_the_wearer import hide_others, with_finished_chest
 from swifttailor.wording.lexicon import read_words
 
-CM_PER_INCH = 2.54
-PETITE_CM, TALL_CM = {"women": 157.0}, {"women": 180.0, "men": 192.0}
+PETITE_CM, TALL_CM = {"women": 157.0, "men": 166.0}, {"women": 180.0, "men": 192.0}
 """Heights of those who are called so."""
-PLUS_SIZE = "women EU 50"
+TALL_ANYBODY_CM = 186.0
+PLUS_SIZES = {"women": "women EU 50", "men": "men EU 58"}
 CHILD_SIZE = "children EU 128"
 """A child of whom nothing else is said."""
 
-_REGION = r"(?:EU|EUR|European|UK|GB|British|US|USA|American)"
-_LETTER = r"(?:XXS|XS|XXL|XL|S|M|L|2XL)"
-_WORD_SIZES = {"small": "S", "medium": "M", "large": "L", "extra large": "XL", "extra small": "XS"}
 _FIGURES = {
     "women": r"women'?s?|woman'?s?|lad(?:y|ies)'?s?|her|wife|mother|mum|mom|girlfriend",
     "men": r"men'?s?|man'?s?|gent(?:s|lemen|leman)?'?s?|him|husband|father|dad|boyfriend",
@@ -52,12 +54,12 @@ _FEET_AND_INCHES = re.compile(
 """A height in feet and inches: 5'4", "5 foot 4", "5ft4"."""
 _PERSON = r"(?<!\w)(i['’]?m|i am|she['’]?s|he['’]?s|she is|he is|someone|somebody|(?:a )?(?:wo)?man of)"
 _FEET = re.compile(rf"{_PERSON} ([4-6]) ?(?:ft|feet|foot)(?!\w){_TALL}", re.IGNORECASE)
+_FEET_TALL = re.compile(r"(?<![\w.,'’])([4-6]) ?(?:ft|feet|foot) (?:tall|in height)(?!\w)", re.IGNORECASE)
+_HEIGHT_FEET = re.compile(
+    r"(?<!\w)(?:height|stature)[\s:=]*(?:is |of )?([4-6]) ?(?:ft|feet|foot)(?!\w)", re.IGNORECASE
+)
 _METRIC = re.compile(rf"{_PERSON} (\d{{3}} ?cm|[12]\.\d{{1,2}} ?m)(?!\w){_TALL}", re.IGNORECASE)
 """Heights of people: "I'm 6ft", "someone 1.80 m"."""
-
-
-_OF_GARMENT = re.compile(r"(?<!\w)finished\s*$", re.IGNORECASE)
-"""Before a girth that is the garment's own."""
 
 
 @dataclass(frozen=True)
@@ -68,6 +70,8 @@ class HeardWearer:
     """None where it says nothing that changes the body."""
     rest: str
     """The text without the words that say it."""
+    notes: tuple[str, ...] = ()
+    """What of the body is otherwise than it is said, for a person."""
 
 
 def hear_wearer(text: str, *, instruction: bool = False) -> HeardWearer:
@@ -79,27 +83,35 @@ def hear_wearer(text: str, *, instruction: bool = False) -> HeardWearer:
         text: Description or instruction.
         instruction: Whether it says what to change, so that girths are the garment's and not the wearer's.
     """
-    found: dict[str, str] = {}
-    measures: dict[str, float] = {}
-    text = _with_metric_heights(text if instruction else with_english_girths(text))
+    text = _with_metric_heights(text)
     hidden = hide_others(text if instruction else with_finished_chest(text))
-    rest = text = hidden.text
-    for pattern, take in _PHRASES:
-        if instruction and take is _either_girth:
-            continue
-        match = next((m for m in pattern.finditer(rest) if not _OF_GARMENT.search(rest, 0, m.start())), None)
-        if match is not None and take(match, found, measures):
-            rest = rest[: match.start()] + " " + rest[match.end() :]
+    text = hidden.text
+    said = SaidBody(text)
     figure = _figure(_without_looks(text))
-    wearer = _wearer(found, measures, figure)
+    child = "children" in (figure, spoken_figure(text)) and not _GROWN.search(text)
+    hear_age(said, child=child)
+    child = child or said.age is not None or said.is_baby
+    for pattern, take in _PHRASES:
+        match = pattern.search(said.text)
+        if match is not None and take(match, said):
+            said.take(match)
+    hear_height(said)
+    if not instruction:
+        hear_girths(said, child=child)
+    spoken = figure or spoken_figure(text)
+    hear_size(said, spoken, child=child)
+    if not said.build:
+        hear_build(said)
+    wearer = _wearer(said, figure, spoken, child=child and (figure == "children" or is_for_a_child(text)))
     if wearer is None:
         return HeardWearer(None, hidden.shown(text))
+    rest = said.text
     rest = re.sub(rf"\bfor (?:an? |my )?(?:{_ANYBODY})\b(?!['\w])", " ", rest, flags=re.IGNORECASE)
     if figure == "children":
         rest = _without_children(rest)
     rest = re.sub(r"\s+([,.;])", r"\1", " ".join(rest.split()))
     rest = re.sub(r"(?:[,;]\s*)+(?=[,;.]|$)", "", rest).strip(" ,;")
-    return HeardWearer(wearer, hidden.shown(rest))
+    return HeardWearer(wearer, hidden.shown(rest), tuple(said.notes))
 
 
 def _with_metric_heights(text: str) -> str:
@@ -111,6 +123,8 @@ def _with_metric_heights(text: str) -> str:
     text = _METRES_AND.sub(r"\1.\2 m", text)
     text = _FEET_AND_INCHES.sub(lambda found: metric(found[1], found[2]), text)
     text = _FEET.sub(lambda found: f"{found[1]} {metric(found[2], '0')}", text)
+    for pattern in (_FEET_TALL, _HEIGHT_FEET):
+        text = pattern.sub(lambda found: metric(found[1], "0"), text)
     return _METRIC.sub(r"\1 \2 tall", text)
 
 
@@ -144,71 +158,66 @@ def _figure(text: str) -> str | None:
     return None
 
 
-def _wearer(found: dict[str, str], measures: dict[str, float], figure: str | None) -> Wearer | None:
-    size = found.get("size")
-    kind = found.get("kind", "")
-    if size is None and "age" in found:
-        size, figure = f"UK {found['age']}", "children"
+def _wearer(said: SaidBody, figure: str | None, spoken: str | None, *, child: bool) -> Wearer | None:
+    """Who wears it; None where nothing is said that changes the body.
+
+    Args:
+        said: What the text says of the body.
+        figure: As English words name it.
+        spoken: As any words do.
+        child: Whether it is for a child of whom nothing else is said.
+    """
+    measures = dict(said.measures)
+    size = _size_title(said, spoken)
+    grown = None if spoken == "children" and size is None and not child else spoken
+    if said.build == "petite" and not child:
+        grown = grown or "women"
+        measures.setdefault("height", PETITE_CM.get(grown, PETITE_CM["women"]))
+    elif said.build == "tall" and not child:
+        measures.setdefault("height", TALL_CM.get(grown or ("women" if size else ""), TALL_ANYBODY_CM))
     if size is not None:
-        title = _size_title(size, figure)
-        if title is None:
-            return None
-        return Wearer(size=title, measures=measures or None)
-    if kind.startswith(("plus", "curvy")):
-        return Wearer(size=PLUS_SIZE, measures=measures or None)
-    if kind in ("petite", "short"):
-        measures.setdefault("height", PETITE_CM["women"] if figure != "men" else 166.0)
-        figure = figure or "women"
-    elif kind == "tall" and figure in TALL_CM:
-        measures.setdefault("height", TALL_CM[figure])
-    if measures:
-        return Wearer(measures=measures, figure=figure)
-    return Wearer(size=CHILD_SIZE) if figure == "children" else None
+        return Wearer(size=size, measures=measures or None, nearest=True)
+    if said.build == "plus" and not {"bust", "waist", "hips"} & set(measures) and said.kg is None:
+        plus = PLUS_SIZES.get(spoken or "", PLUS_SIZES["women"])
+        return Wearer(size=plus, measures=measures or None, nearest=True)
+    if measures or said.kg is not None:
+        return Wearer(measures=measures or None, figure=grown, weight=said.kg, nearest=True)
+    return Wearer(size=CHILD_SIZE, nearest=True) if child else None
 
 
-def _size_title(size: str, figure: str | None) -> str | None:
-    """The size of a chart that is meant; a number that no EU chart has is British."""
-    for attempt in (f"{figure or ''} {size}", f"{figure or ''} UK {size}", f"{figure or ''} US {size}"):
-        try:
-            return find_size(attempt).title
-        except InputError:
-            continue
-    return None
+def _size_title(said: SaidBody, figure: str | None) -> str | None:
+    """The size of a chart that is meant, named whole."""
+    if said.size.startswith("children"):
+        return find_size(said.size).title
+    if said.size and said.size.isdigit():
+        return find_size(f"{'men' if figure == 'men' else 'women'} {said.region} {said.size}").title
+    if said.size:
+        return find_size(f"{'men' if figure == 'men' else 'women'} {said.size}").title
+    if said.is_baby:
+        return find_size(SMALLEST).title
+    # A height says more of a child than its age.
+    return (
+        None
+        if said.age is None or "height" in said.measures
+        else find_size(OF_AGES.get(said.age, SMALLEST)).title
+    )
 
 
-_Take = Callable[[re.Match[str], dict[str, str], dict[str, float]], bool]
+_Take = Callable[[re.Match[str], SaidBody], bool]
 
 
-def _size(match: re.Match[str], found: dict[str, str], measures: dict[str, float]) -> bool:
-    groups = {k: v for k, v in match.groupdict().items() if v}
-    label = groups.get("number") or groups.get("letter") or _WORD_SIZES[groups["word"].lower()]
-    region = groups.get("before") or groups.get("between") or groups.get("after") or ""
-    known = {one for chart in charts().values() for one in chart}
-    if "size" in found or label.upper() not in known:
-        return False
-    found["size"] = f"{region} {label}".strip()
+def _kind(match: re.Match[str], said: SaidBody) -> bool:
+    kind = match["kind"].lower()
+    said.build = "plus" if kind.startswith(("plus", "curvy")) else "tall" if kind == "tall" else "petite"
     return True
 
 
-def _kind(match: re.Match[str], found: dict[str, str], measures: dict[str, float]) -> bool:
-    found["kind"] = match["kind"].lower()
-    return True
-
-
-def _age(match: re.Match[str], found: dict[str, str], measures: dict[str, float]) -> bool:
-    age = int(match["age"] or match["aged"])
-    if not 4 <= age <= 12:
-        return False
-    found["age"] = str(age)
-    return True
-
-
-def _height(match: re.Match[str], found: dict[str, str], measures: dict[str, float]) -> bool:
+def _height(match: re.Match[str], said: SaidBody) -> bool:
     groups = match.groupdict()
     value = float(groups.get("cm") or 0) or 100.0 * float(groups.get("m") or 0)
-    if not 95.0 <= value <= 215.0:
+    if not 75.0 <= value <= 225.0:
         return False
-    measures["height"] = value
+    said.measures["height"] = round(value, 1)
     return True
 
 
@@ -216,40 +225,8 @@ def _compiled(pattern: str, take: _Take) -> tuple[re.Pattern[str], _Take]:
     return re.compile(pattern, re.IGNORECASE), take
 
 
-_IN = r"(?:\b(?:in|of|a|an)\s+)*"
 _WHO = rf"(?:(?:for\s+)?(?:an?\s+|my\s+)?(?:{_ANYBODY})\s+)?"
-_INCHES = r"(?:inch(?:es)?\b|in\b|[\"”″]|'')"
-_GIRTH = (
-    r"(?:\b(?:with|and|a|of|at)\s+)*\b(?:(?P<before>\d{2,3}(?:\.\d)?)[\s-]*"
-    rf"(?:cm|(?P<inches>{_INCHES}))\s+(?P<name>bust|chest|waist|hips?)\b"
-    r"|(?P<name2>bust|chest|waist|hips?)\s*(?:of|is|are|:|=)?\s*(?P<after>\d{2,3}(?:\.\d)?)"
-    rf"(?:\s*(?:cm\b|(?P<inches2>{_INCHES}))|\b(?!\s*cm)))"
-)
-
-
-def _either_girth(match: re.Match[str], found: dict[str, str], measures: dict[str, float]) -> bool:
-    value = float(match["before"] or match["after"])
-    value *= CM_PER_INCH if match["inches"] or match["inches2"] else 1.0
-    name = (match["name"] or match["name2"]).lower()
-    if not 45.0 <= value <= 180.0:
-        return False
-    measures["bust" if name == "chest" else "hips" if name == "hip" else name] = value
-    return True
-
-
 _PHRASES = [
-    _compiled(
-        rf"{_IN}\b(?:(?P<before>{_REGION})\s+)?size\s+(?:(?P<between>{_REGION})\s*)?"
-        rf"(?:(?P<number>\d{{1,3}})|(?P<letter>{_LETTER})|(?P<word>(?:extra )?(?:small|large)|medium))\b"
-        rf"(?:\s+(?P<after>{_REGION})\b)?",
-        _size,
-    ),
-    _compiled(rf"{_IN}\b(?P<before>{_REGION})\s*(?P<number>\d{{1,3}})\b", _size),
-    _compiled(r"(?:\bin\s+|\ban?\s+)?(?<![\w-])(?P<letter>XXS|XS|XXL|XL|2XL)(?![\w-])", _size),
-    _compiled(
-        r"(?:\bfor\s+)?(?:\ban?\s+)?\b(?P<age>\d{1,2})[- ]years?[- ]olds?\b|\baged?\s+(?P<aged>\d{1,2})\b",
-        _age,
-    ),
     _compiled(
         rf"{_WHO}\b(?:who (?:is|am)\s+|of\s+|is\s+|am\s+)?"
         r"(?:(?P<cm>\d{2,3})\s*cm|(?P<m>[12]\.\d{1,2})\s*m)\s+"
@@ -265,13 +242,10 @@ _PHRASES = [
         r"(?:\bwith\s+)?(?:\ban?\s+)?\b(?:height|stature)\s*(?:of|is|:|=)?\s*(?:(?P<cm>\d{3})(?:\s*cm)?|(?P<m>[12]\.\d{1,2})\s*m)\b",
         _height,
     ),
-    _compiled(_GIRTH, _either_girth),
-    _compiled(_GIRTH, _either_girth),
-    _compiled(_GIRTH, _either_girth),
     _compiled(rf"\bfor\s+(?:an?\s+|my\s+)?(?P<kind>{_TALL_OR})\s+(?:{_ANYBODY})\b", _kind),
     _compiled(
         r"(?:\bin\s+)?(?<![\w-])(?P<kind>petite|plus[- ]sized?|curvy)\b(?:\s+(?:figure|woman|women|lady))?",
         _kind,
     ),
 ]
-"""What is looked for, in this order; each phrase once."""
+"""What English says of heights and builds, in this order; each phrase once."""
