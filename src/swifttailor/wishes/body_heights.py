@@ -67,6 +67,9 @@ _BEHIND = re.compile(
     r"^\s*(?:[,;/]|and|und|et|y|con|with|mit|at|bei)?\s*(?P<cm>1[3-9]\d|20\d|21[0-5])\s?(?:cm\b|(?=\s*(?:[,.;]|$)))",
     re.I,
 )
+_OF_CLOTHES = re.compile(r"gr(?:ö|oe)(?:ß|ss)e|taille", re.IGNORECASE)
+"""Words for a height that are words for sizes of clothes or the waist, too."""
+_SURELY_CM, _PERHAPS_CM = 165.0, 150.0
 _ANYTHING_LONG = re.compile(
     r"(?<!\w)(?:length|long|länge|lang|longueur|largo|hem)[\s:=]*(?:is|of|de|von)?\s*$", re.IGNORECASE
 )
@@ -85,10 +88,20 @@ def hear_height(said: SaidBody) -> None:
                 tall = 100.0 * number(groups["m"])
             elif groups.get("m1"):
                 tall = 100.0 * float(groups["m1"]) + float(groups["c1"])
+            if _is_size_or_waist(match, tall):
+                continue
             if shortest <= tall <= _MOST and not _ANYTHING_LONG.search(said.text, 0, match.start()):
                 said.measures["height"] = round(tall, 1)
                 said.take(match)
                 break
+
+
+def _is_size_or_waist(match: re.Match[str], tall: float) -> bool:
+    """Whether a number is a child's size ("Größe 146") or a waist ("Taille 140 cm") rather than a height."""
+    groups = match.groupdict()
+    if not groups.get("cm") or not _OF_CLOTHES.fullmatch(groups.get("lead") or ""):
+        return False
+    return tall < (_PERHAPS_CM if "cm" in match[0].lower() else _SURELY_CM)
 
 
 def _hear_weight(said: SaidBody) -> None:
