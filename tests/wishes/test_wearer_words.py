@@ -23,17 +23,17 @@ from swifttailor.wishes.wearer_words import hear_wearer
             "dress, bust 52 inches, waist 46, hips 58",
             "dress",
             None,
-            {"bust": 132, "waist": 117, "hips": 147},
+            {"bust": 52 * 2.54, "waist": 46 * 2.54, "hips": 58 * 2.54},
             None,
         ),
         (
             "sundress, bust 31, waist 25, hips 34",
             "sundress",
             None,
-            {"bust": 79, "waist": 64, "hips": 86},
+            {"bust": 31 * 2.54, "waist": 25 * 2.54, "hips": 34 * 2.54},
             None,
         ),
-        ("trousers, waist 34", "trousers", None, {"waist": 86}, None),
+        ("trousers, waist 34", "trousers", None, {"waist": 34 * 2.54}, None),
         (
             "schmale Hose, Brust 98, Taille 86, Hüfte 106",
             "schmale Hose",
@@ -147,4 +147,5 @@ def test_other_feet_and_other_small_things_are_nobodys_height(text):
 
 
 def test_a_lone_french_size_is_no_waist():
-    assert hear_wearer("jupe taille 42").rest == "jupe taille 42"
+    wearer = hear_wearer("jupe taille 42").wearer
+    assert wearer is not None and wearer.size == "women EU 40" and wearer.measures is None
