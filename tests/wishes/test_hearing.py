@@ -14,6 +14,7 @@ from swifttailor.pattern.drafts.draft_names import NamedDraft
 from swifttailor.wishes.heard import HEARD_NOTHING
 from swifttailor.wishes.hearing import hear_description
 from swifttailor.wishes.hearing_changes import hear_instruction
+from swifttailor.wishes.no_garment import asks_for_none
 from swifttailor.wishes.reader import SURE, Wish, WishReader
 from swifttailor.wording.lexicon import exclude, read_words
 
@@ -287,9 +288,9 @@ def test_refusals_are_kept_apart(reader):
 def test_a_garment_that_nobody_knows_has_no_kind_and_near_names(reader):
     heard = hear_description("a bxthrzbe", Saying())
     assert heard.kind is None and not heard.guess
-    heard = hear_description("a grey cardagan", Saying())
+    heard = hear_description("a grey cardigam", Saying())
     assert heard.kind == "top" and heard.guess == "cardigan", "a guess, and said to be one"
-    assert "cardagan" in heard.unread
+    assert "cardigam" in heard.unread
     assert hear_description("short maxi dress", reader).contradictions == (("short", "maxi dress"),)
 
 
@@ -366,7 +367,7 @@ def test_what_is_denied_in_so_many_words_stands(reader):
 
 
 def test_a_name_that_is_misspelt_comes_before_what_may_be_meant(reader):
-    heard = hear_description("grey cardagan", reader)
+    heard = hear_description("grey cardigam", reader)
     assert (heard.guess, heard.kind) == ("cardigan", "top")
 
 
@@ -542,3 +543,15 @@ def test_long_texts_begin_from_a_draft_that_has_all_they_ask_for():
 def test_numbers_of_buttons_are_understood():
     assert hear_description("a polo shirt, 3 button placket", Saying()).unread == ()
     assert hear_description("a polo shirt, 3 wuzzles", Saying()).unread
+
+
+def test_slippers_alone_ask_for_no_garment(reader: WishReader) -> None:
+    heard = hear_description("just some slippers for my dad he's always cold", reader)
+    assert asks_for_none(heard, heard.text)
+
+
+def test_the_one_dress_that_is_named_stays_one(reader: WishReader) -> None:
+    heard = hear_description(
+        "lolita jsk, bow at the waist, skirt as poofy as it gets, pink w strawberries", reader
+    )
+    assert heard.kind == "dress"

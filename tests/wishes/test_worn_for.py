@@ -27,6 +27,9 @@ def reader() -> WishReader:
         ("something elegant", "sheath dress", "dress"),
         ("a tuxedo", "dinner jacket", "top"),
         ("something cute for a first date", "wrap dress", "dress"),
+        ("I want to look like Gandalf, grey", "wizard robe", "dress"),
+        ("a dress like Mary Poppins, navy", "Edwardian dress", "dress"),
+        ("smart but not stuffy, for casual friday", "shirt", "top"),
         ("something for a ball", "evening gown", "dress"),
     ],
 )

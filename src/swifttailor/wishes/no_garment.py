@@ -43,7 +43,7 @@ def asks_for_none(heard: Heard, text: str) -> str:
         languages = f"{', '.join(first)} or {last}"
         return _NOTHING_KNOWN.format(text=quoted, languages=languages, near=near)
     named = [m for m in known if _category(m) == _NOT_MADE and not any(e.worn for e in m.entries)]
-    others = [mark for mark in words.marks if mark not in named and _category(mark) not in _TELL_NO_GARMENT]
+    others = [mark for mark in known if mark not in named and _category(mark) not in _TELL_NO_GARMENT]
     # A garment that an occasion stands for is written before the text, and is none of its words.
     others = [mark for mark in others if any(w in text.lower() for w in mark.word.lower().split())]
     beside = any(mark.word.lower() in _GO_WITH for mark in words.marks)

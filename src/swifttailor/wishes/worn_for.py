@@ -12,6 +12,9 @@ _FIRST = ("accessories", "occasions")
 """A tuxedo says more of what is worn than the evening does, and that more than "comfy"."""
 _NAMES = ("garment", "like")
 """Roles of words that name the garment."""
+_MERE_DRESSES = ("dress", "gown", "frock", "costume", "outfit")
+_PERSONS = "persons.txt"
+"""Of whom the looks are known."""
 _OF_LOWER = frozenset(
     {"rise", "waistband", "waistband_cm", "skirt", "skirt_length_cm", "legs", "inseam_cm", "hips"}
 )
@@ -48,9 +51,12 @@ def _told_by_details(heard: Heard) -> str | None:
 
 def _worn_for(heard: Heard) -> str | None:
     marks = () if heard.words is None else [mark for mark in heard.words.marks if not mark.denied]
-    if any(mark.role in _NAMES for mark in marks):
-        return None
     entries = [entry for mark in marks for entry in mark.entries if entry.worn]
+    named = [mark for mark in marks if mark.role in _NAMES]
+    if named and all(mark.word.lower() in _MERE_DRESSES for mark in named):
+        entries = [entry for entry in entries if entry.place[0] == _PERSONS]  # "a dress like Mary Poppins"
+    elif named:
+        return None
     named = () if heard.words is None else [i.claim for i in heard.words.implications]
     details = [w.change.claim for w in heard.sure if isinstance(w.change, Gain)]
     details = [claim for claim in details if claim.name != "kind" or claim in named]  # a network guesses
@@ -79,6 +85,6 @@ def _may_have(kind: str, name: str, value: object) -> bool:
     return value == kind if name == "kind" else fits_kind(name, kind)
 
 
-def _order(entry: Entry) -> tuple[int, int]:
-    category = entry.category
-    return _FIRST.index(category) if category in _FIRST else len(_FIRST), entry.place[1]
+def _order(entry: Entry) -> tuple[int, int, int]:
+    category, (file, line) = entry.category, entry.place
+    return _FIRST.index(category) if category in _FIRST else len(_FIRST), int(file != _PERSONS), line
