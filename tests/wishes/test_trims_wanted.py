@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
+from swifttailor.describing.claims import Claim
+from swifttailor.describing.differences import Gain
 from swifttailor.pattern.trims import TRIMS
 from swifttailor.wishes.heard import Heard
+from swifttailor.wishes.reader import Wish
 from swifttailor.wishes.trims_wanted import TRIMS_OF, refused_trims, speaks_of_trims_alone, trims_wanted
 from swifttailor.wording import cannot_texts, read_words
 from swifttailor.wording.lexicon import all_entries
@@ -122,3 +127,10 @@ def test_edging_is_put_on_unasked_where_the_tables_give_it_to_a_name():
     (edged,) = [wish for wish in trims_wanted(heard("a folk waistcoat"), kind="top") if wish.what == "braid"]
     assert edged.choices[0] == ("edging",) and not edged.said
     assert "braid" not in {wish.what for wish in trims_wanted(heard("tuxedo trousers"), kind="trousers")}
+
+
+def test_frills_of_the_sleeves_are_put_there_alone():
+    told = (Wish(Gain(Claim("cuffs", "flounce")), 1.0),)
+    blouse = replace(heard("a blouse with ruffles on the sleeves"), sure=told)
+    (wish,) = [wish for wish in trims_wanted(blouse) if wish.what == "frills"]
+    assert wish.choices == (("sleeve frills",),)

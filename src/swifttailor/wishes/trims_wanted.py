@@ -6,6 +6,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from swifttailor.describing.claims import Claim
+from swifttailor.describing.differences import Gain
 from swifttailor.pattern.trims.names import LIKE_EACH_OTHER, TRIMS
 
 if TYPE_CHECKING:
@@ -59,6 +61,8 @@ _SAID_ALONE = frozenset({"lace", "braid"})
 """What is put on only where the text itself asks for it, or a row of the tables has its trim."""
 _LOWER = ("trousers", "shorts")
 _DENIM = "denim"
+_FLOUNCED = Claim("cuffs", "flounce")
+"""Frills of the sleeves, where no others are named."""
 _DETAILS = "styles"
 """The category of entries that name trims themselves."""
 
@@ -95,6 +99,8 @@ def trims_wanted(heard: Heard, draft: str = "", kind: str = "") -> tuple[TrimWis
             can = ()
         said = tuple([name for name in named if name in can])
         choices = _usual(lack.what, kind, heard.cloth, draft) if can else ()
+        if choices and lack.what == "frills" and _FLOUNCED in _claims(heard):
+            choices = (("sleeve frills",),)
         if said or own:
             alone = sorted(said or own, key=lambda name: name not in own)
             choices = (said or own, *[(name,) for name in alone], *choices)
@@ -103,6 +109,11 @@ def trims_wanted(heard: Heard, draft: str = "", kind: str = "") -> tuple[TrimWis
     if draft in _RIBBED and not any(wish.what == _RIBS for wish in found) and _is_knitted(heard, draft):
         found.append(TrimWish(_RIBS, False, (("neck rib", "armhole ribs"), ("neck rib",))))
     return tuple(found)
+
+
+def _claims(heard: Heard) -> frozenset[Claim]:
+    """What is told of the garment, or likely meant."""
+    return frozenset([w.change.claim for w in (*heard.sure, *heard.likely) if isinstance(w.change, Gain)])
 
 
 def _is_knitted(heard: Heard, draft: str) -> bool:
