@@ -29,7 +29,7 @@ _OPTIONS: Mapping[str, frozenset[str]] = {
     "hoodie": _WITH_SHOULDERS - {"armhole_drop"},
     "turtleneck": _PLAIN,
     "polo-shirt": _PLAIN,
-    "tank-top": frozenset({"chest_ease", "length", "armhole_drop"}),
+    "tank-top": frozenset({"chest_ease", "length"}),
     "hooded-coat": _WITH_SHOULDERS - {"length"},
 }
 """Which of them each draft has."""
@@ -47,6 +47,8 @@ _SLEEVES: Mapping[str, tuple[float, float | None]] = {
 }
 """Usual length of each draft's sleeves, and width around at the end of long ones, cm; None: in a cuff."""
 _SHORT_END_CM = 46.0
+_BARE_EASE_CM = 24.0
+"""Without sleeves, wider ones gape beside the arms."""
 _LONG, _LONG_CM = ("long", "extra-long"), 60.0
 _HEMS = frozenset({"top_hem", "length_cm"})
 
@@ -68,6 +70,7 @@ def oversized_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft
     for name, least in _FITS[fits[0]].items():
         if name not in known or (name == "length" and told_hem) or (shaped and name in _OF_SHOULDERS):
             continue
+        least = min(least, _BARE_EASE_CM) if draft.name == "tank-top" and name == "chest_ease" else least
         options[name] = max(least, float(options.get(name, least)))
     options.pop("waist_shaping", None)
     if not shaped and fits[0] == "oversized" and draft.name in _SLEEVES and options.get("sleeves", True):
