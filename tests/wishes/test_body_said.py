@@ -33,7 +33,7 @@ _INCH = 2.54
             {"bust": 31 * _INCH, "waist": 25 * _INCH, "hips": 34 * _INCH},
         ),
         ("38 chest waistcoat", {"bust": 38 * _INCH}),
-        ("chinos 34x32 khaki", {"waist": 34 * _INCH}),
+        ("chinos 34x32 khaki", {"waist": 34 * _INCH, "inseam": 86.5}),
         ("camisa cuello 42", {"neck": 42}),
         ("shirt, collar 16.5", {"neck": 16.5 * _INCH}),
         ("a black dress, 36C", {"underbust": 36 * _INCH, "bust": 39 * _INCH}),

@@ -172,3 +172,9 @@ def test_what_is_darted_to_the_waist_stays_as_long_and_as_wide_as_it_is():
     asked = [Claim("top_hem", "waist"), Claim("fit", "close")]
     assert draft_as_asked(darted, asked) == darted
     assert dict(draft_as_asked(NamedDraft("turtleneck"), asked).options)["length"] == 0.0
+
+
+def test_long_legs_are_cut_as_long_as_their_inseam_is_told():
+    draft = draft_as_asked(NamedDraft("trousers"), [Claim("inseam_cm", 81.3)])
+    assert draft is not None and 113.0 < dict(draft.options)["length"] < 116.0
+    assert draft_as_asked(NamedDraft("trousers"), [Claim("inseam_cm", 20.0)]) == NamedDraft("trousers")

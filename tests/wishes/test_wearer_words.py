@@ -149,3 +149,25 @@ def test_other_feet_and_other_small_things_are_nobodys_height(text):
 def test_a_lone_french_size_is_no_waist():
     wearer = hear_wearer("jupe taille 42").wearer
     assert wearer is not None and wearer.size == "women EU 40" and wearer.measures is None
+
+
+@pytest.mark.parametrize(
+    ("text", "measures"),
+    [
+        ("trousers, inseam 32 inches, waist 34", {"inseam": 86.8, "waist": 86.4}),
+        ('black trousers, 31" inseam', {"inseam": 84.2}),
+        ("chinos, inside leg 80 cm", {"inseam": 85.5}),
+    ],
+)
+def test_who_asks_for_long_legs_has_them(text, measures):
+    heard = hear_wearer(text)
+    assert heard.wearer is not None
+    assert {name: round(value, 1) for name, value in heard.wearer.measures.items()} == measures
+    assert "ins" in heard.rest  # it is the length of the trousers as well
+
+
+@pytest.mark.parametrize(
+    "text", ["shorts with a 5 inch inseam", "trousers, inseam 26 inches", "jeans, 34 inseam, that drag"]
+)
+def test_shorter_legs_are_the_garments_alone(text):
+    assert hear_wearer(text).wearer is None

@@ -31,6 +31,10 @@ _SHORTEST_JOGGERS, _LONGEST_JOGGERS = 44.0, 98.0
 _SLIM, _CLOSEST = Claim("legs", "slim"), 100.0
 _BELOW_WAIST: Mapping[Claim, float] = {Claim("rise", "mid"): 5.0, Claim("rise", "low"): 14.0}
 """How far below the waist trousers begin, cm."""
+_MAY_DRAG = ("trousers", "pull-on-trousers")
+"""Drafts of legs of any length."""
+_OVER_INSEAM_CM, _LONG_LEGS_CM = 33.3, (90.0, 118.0)
+"""Length down the side over that of the inseam, and the lengths that are drafted so, cm."""
 _WIDE, _WIDE_CM = Claim("legs", "wide"), 30.0
 _LOOSE, _LOOSE_CM = Claim("hips", "loose"), 12.0
 
@@ -80,9 +84,18 @@ def _with_legs(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     if DRAFT_KINDS[draft.name] == "trousers":
         for claim in claims:
             options |= {"below_waist": _BELOW_WAIST[claim]} if claim in _BELOW_WAIST else {}
+            options |= _as_long(draft.name, claim)
     if _LOOSE in claims:
         options["hip_ease"] = max(_LOOSE_CM, float(options.get("hip_ease", 0.0)))
     return replace(draft, options=tuple(options.items()))
+
+
+def _as_long(name: str, claim: Claim) -> Mapping[str, float]:
+    """The length of long legs whose inseam is told: longer ones than those of the usual body are cut, too."""
+    if claim.name != "inseam_cm" or isinstance(claim.value, str) or name not in _MAY_DRAG:
+        return {}
+    length = float(claim.value) + _OVER_INSEAM_CM
+    return {"length": round(length, 1)} if _LONG_LEGS_CM[0] <= length <= _LONG_LEGS_CM[1] else {}
 
 
 def _has_legs(claim: Claim) -> bool:

@@ -13,6 +13,7 @@ from swifttailor.wishes.body_builds import hear_build
 from swifttailor.wishes.body_figures import is_for_a_child, spoken_figure
 from swifttailor.wishes.body_girths import hear_girths
 from swifttailor.wishes.body_heights import hear_height
+from swifttailor.wishes.body_legs import hear_legs
 from swifttailor.wishes.body_said import CM_PER_INCH, SaidBody
 from swifttailor.wishes.body_sizes import hear_size
 from swifttailor.wishes.not_the_wearer import hide_others, with_finished_chest
@@ -98,6 +99,7 @@ def hear_wearer(text: str, *, instruction: bool = False) -> HeardWearer:
     hear_height(said)
     if not instruction:
         hear_girths(said, child=child)
+        hear_legs(said)
     spoken = figure or spoken_figure(text)
     hear_size(said, spoken, child=child)
     if not said.build:
