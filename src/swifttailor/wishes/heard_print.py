@@ -109,8 +109,7 @@ def _colors(
     if not named and not inks and usual:
         return usual
     if not named:
-        first, second = inks[:2] if len(inks) > 1 else (_LIGHT, _DARK)
-        named = [first, second]
+        named = list(inks) if len(inks) > 1 else [_LIGHT, _DARK]
     elif ground is not None:
         others = [color for color in named if color != ground]
         named = [ground, *others] if kind in ("dots", "motif") else [*others, ground]

@@ -297,7 +297,8 @@ class _Reader:
         if category in ("garments", "accessories", "parts"):
             return True
         if category == "styles" and (mark.part is not None or _put_on(mark) or _is_detail(mark)):
-            return not mark.word.lower().endswith(("ed", "less", "puffy", "frilly", "lacy", "fluffy"))
+            said = mark.entries[0].english or mark.word.lower()  # "plissada" is "pleated", and no noun
+            return not said.endswith(("ed", "less", "puffy", "frilly", "lacy", "fluffy"))
         return False
 
     def _part(self, mark: WordMark) -> str | None:
