@@ -233,3 +233,11 @@ def test_flat_strips_lie_on_the_cloth():
 def test_an_apron_lies_over_the_buttons_of_its_skirt():
     seen = {mesh.trim for mesh in trim_meshes(with_trims(worn("circle-skirt"), "buttons", APRON))}
     assert seen == {APRON}
+
+
+def test_a_belt_slips_to_where_the_sewn_cloth_is_narrowest():
+    garment = with_trims(worn("shirt-dress"), "tie belt")
+    band = trim_meshes(garment)[0].vertices
+    garment = replace(garment, vertices=garment.vertices + np.array([0.0, -6.0, 0.0]))  # it hangs lower
+    lower = trim_meshes(garment)[0].vertices
+    assert band[:, 1].mean() - lower[:, 1].mean() == pytest.approx(6.0, abs=2.0)

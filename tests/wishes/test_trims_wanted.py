@@ -52,6 +52,10 @@ def test_what_is_wanted_first(text, kind, first):
     ("text", "trims"),
     [
         ("dirndl dress", {"apron", "lacing"}),
+        ("a waitress uniform", {"button placket"}),
+        ("formal trousers", {"side pockets", "fly", "creases"}),
+        ("a cheongsam", {"diagonal closing"}),
+        ("hakama", {"pleat lines", "waist bow"}),
         ("national costume", {"apron", "lacing", "edging"}),
         ("house dress", {"buttons", "patch pockets"}),
         ("forties dress", {"buttons", "buckle belt"}),

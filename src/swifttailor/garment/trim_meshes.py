@@ -29,6 +29,8 @@ _QUILTING_LIFT = 0.14
 """Stitches through wadding lie deeper than those on top of pockets."""
 _BUTTON_LIFT, _BUTTON_HEIGHT = 0.34, 0.22
 _BELT_LIFT, _BELT_SIDES, _BELT_REACH = 0.5, 96, 2.5
+_KEEPS_TO = 0.002
+"""By how much narrower, per cm, the cloth must be elsewhere for a belt to slip there."""
 _TAIL, _KNOT = 26.0, 2.2
 _NO_AREA = 1e-5
 """Triangles of less than half of this are left out, cm²."""
@@ -163,7 +165,7 @@ def _button(garment: Garment, button: Button) -> TrimMesh:
 
 def _belt(garment: Garment, belt: Belt) -> list[TrimMesh]:
     """A band stretched around the cloth at its height, with what closes it in front."""
-    heights = belt.height + belt.width * np.array([-0.5, 0.0, 0.5])
+    heights = _waist(garment, belt) + belt.width * np.array([-0.5, 0.0, 0.5])
     rings = [_around(garment, height) for height in heights]
     if any(ring is None for ring in rings):
         return []
@@ -185,6 +187,19 @@ def _belt(garment: Garment, belt: Belt) -> list[TrimMesh]:
     if belt.trim == "buckle belt":
         return [band, _buckle(belt, front)]
     return [band, *_knot(garment, belt, front)]
+
+
+def _waist(garment: Garment, belt: Belt) -> float:
+    """The height at which the cloth is narrowest near to where the belt is to be, cm."""
+    best, least = belt.height, np.inf
+    for off in np.arange(-belt.reach, belt.reach + 0.1, 1.0):
+        ring = _around(garment, belt.height + off)
+        if ring is None:
+            continue
+        girth = np.linalg.norm(np.roll(ring, -1, axis=0) - ring, axis=1).sum() * (1 + _KEEPS_TO * abs(off))
+        if girth < least:
+            best, least = belt.height + float(off), girth
+    return best
 
 
 def _buckle(belt: Belt, front: Array) -> TrimMesh:

@@ -39,6 +39,9 @@ _LINES: Mapping[str, str] = {
     "elastic waist": "",
     "neck cord": "cord",
     "lacing": "lacing",
+    "creases": "pressed crease",
+    "pleat lines": "edge of a pleat",
+    "diagonal closing": "piping",
 }
 
 

@@ -37,6 +37,9 @@ TRIMS_OF: Mapping[str, tuple[str, ...]] = {
     "rib_bands": ("neck rib", "armhole ribs", "hem rib"),
     "fringe": ("hem fringe",),
     "apron": ("apron",),
+    "creases": ("creases",),
+    "pleats": ("pleat lines",),
+    "asymmetric_closing": ("diagonal closing",),
 }
 """By key of what cannot be made of panels, which trims can stand for it."""
 _JACKETS = frozenset(
@@ -57,7 +60,7 @@ _WRAPS = frozenset({"wrap-dress", "wrap-top", "robe"})
 _HOODED = frozenset({"hoodie", "hooded-coat"})
 _RIBS, _RIBBED = "rib_bands", frozenset({"t-shirt", "tank-top", "sweatshirt"})
 _KNITS = frozenset({"jersey", "rib-knit", "sweatshirt", "fleece"})
-_SAID_ALONE = frozenset({"lace", "braid"})
+_SAID_ALONE = frozenset({"lace", "braid", "apron"})
 """What is put on only where the text itself asks for it, or a row of the tables has its trim."""
 _LOWER = ("trousers", "shorts")
 _DENIM = "denim"
@@ -192,7 +195,7 @@ def _usual(what: str, kind: str, cloth: str | None, draft: str) -> tuple[tuple[s
         )
     if what == "drawstring":
         return (("neck cord",),) if draft in _HOODED else (("drawstring",), ("neck cord",))
-    if what == "padding":
+    if what in ("padding", "pleats", "asymmetric_closing"):
         return ()
     return tuple([(name,) for name in TRIMS_OF.get(what, ())])
 

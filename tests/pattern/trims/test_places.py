@@ -64,6 +64,9 @@ SHOULD_HAVE = {
     "waist bow": ("skater-dress", "fitted-dress", "fitted-skirt"),
     "lacing": ("t-shirt", "shirt", "skater-dress", "bustier"),
     "apron": ("skater-dress", "gathered-skirt", "circle-skirt"),
+    "creases": TROUSERS[:4],
+    "pleat lines": ("trousers", "pull-on-trousers"),
+    "diagonal closing": ("fitted-dress", "turtleneck", "shirt"),
 }
 CHILDREN = (60.0, 92.0, 110.0, 128.0, 152.0)
 SOME = tuple(info for info in list_drafts() if info.name not in ("gored-skirt", "pleated-skirt"))
@@ -92,7 +95,8 @@ def test_has_its_place_on_the_drafts_that_should_have_it(name, drafts):
         ("slant pockets", "pleated-skirt"), ("bib pocket", "trousers"), ("neck frill", "fitted-skirt"),
         ("sleeve frills", "tank-top"), ("hem frill", "jeans"), ("neck frill", "hoodie"), ("apron", "t-shirt"),
         ("neck bow", "trousers"), ("lacing", "jeans"), ("neck rib", "turtleneck"),
-        ("armhole ribs", "t-shirt"), ("elastic waist", "bomber-jacket"),
+        ("armhole ribs", "t-shirt"), ("elastic waist", "bomber-jacket"), ("creases", "fitted-skirt"),
+        ("diagonal closing", "trousers"),
     ],
 )  # fmt: skip
 def test_has_none_on_others(name, draft_name, drafts):

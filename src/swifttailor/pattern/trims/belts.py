@@ -7,6 +7,9 @@ import numpy as np
 from swifttailor.pattern.trims.chalk import Chalk
 from swifttailor.pattern.trims.shapes import Belt, Trim
 
+_SLIPS = 9.0
+"""How far from the waist of the pattern that of the sewn garment may be, cm."""
+
 
 def belt(chalk: Chalk, name: str) -> list[Trim]:
     """Around the waist, in the waistband of skirts and trousers."""
@@ -19,7 +22,7 @@ def belt(chalk: Chalk, name: str) -> list[Trim]:
     if has_torso and chalk.views["left_ftorso"].low > chalk.waist - least:
         return []
     width = 3.5 * chalk.size if not has_torso else 4.5 * chalk.size
-    return [Belt(name, chalk.waist, width)]
+    return [Belt(name, chalk.waist, width, _SLIPS * chalk.size if has_torso else 0.0)]
 
 
 def drawstring(chalk: Chalk, name: str) -> list[Trim]:

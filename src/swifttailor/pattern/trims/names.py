@@ -47,6 +47,9 @@ TRIMS: Mapping[str, str] = {
     "waist bow": "a bow at the waist",
     "lacing": "lacing down the front",
     "apron": "an apron in front",
+    "creases": "pressed creases down the legs",
+    "pleat lines": "pressed pleats down the legs",
+    "diagonal closing": "a closing from the neck to the armhole",
 }
 """By name, what each is for people. None joins panels, so none changes how a garment is cut or hangs."""
 LIKE_EACH_OTHER = (
@@ -55,6 +58,7 @@ LIKE_EACH_OTHER = (
     ("hem frill", "hem fringe", "hem rib"),
     ("edging", "lace trim"),
     ("neck frill", "neck bow", "neck cord"),
+    ("creases", "pleat lines"),
 )
 """Groups of which a garment has one at most."""
 MOST_BUTTONS = 20

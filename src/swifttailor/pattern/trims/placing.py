@@ -5,8 +5,17 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 
 from swifttailor.pattern.pattern import Pattern
-from swifttailor.pattern.trims import belts, decorations, elastic, fastenings, pockets, quilting
+from swifttailor.pattern.trims import (
+    belts,
+    decorations,
+    elastic,
+    fastenings,
+    pockets,
+    pressed_lines,
+    quilting,
+)
 from swifttailor.pattern.trims.chalk import Chalk
+from swifttailor.pattern.trims.diagonal_closing import diagonal_closing
 from swifttailor.pattern.trims.shapes import Trim
 
 _PLACES: Mapping[str, Callable[[Chalk, str], list[Trim]]] = {
@@ -49,6 +58,9 @@ _PLACES: Mapping[str, Callable[[Chalk, str], list[Trim]]] = {
     "waist bow": decorations.waist_bow,
     "lacing": decorations.lacing,
     "apron": decorations.apron,
+    "creases": pressed_lines.creases,
+    "pleat lines": pressed_lines.pleat_lines,
+    "diagonal closing": diagonal_closing,
 }
 """How each of `names.TRIMS` is marked."""
 

@@ -55,6 +55,8 @@ class Belt:
     """Of its middle above the floor, cm."""
     width: float
     """cm."""
+    reach: float = 0.0
+    """How far up or down it slips to where the cloth is narrowest, cm."""
 
 
 @dataclass(frozen=True)
