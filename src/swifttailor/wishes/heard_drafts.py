@@ -15,10 +15,12 @@ from swifttailor.wishes.button_counts import closed_as_counted
 from swifttailor.wishes.clinging_drafts import STRETCH, clinging_as_asked
 from swifttailor.wishes.drafts_as_asked import draft_as_asked
 from swifttailor.wishes.drafts_of_names import covers, draft_of_kind, draft_of_name
+from swifttailor.wishes.godets_as_asked import godets_as_asked
 from swifttailor.wishes.legs_by_words import ELASTIC, legs_as_said
 from swifttailor.wishes.oversized_drafts import oversized_as_asked
 from swifttailor.wishes.refused_looks import as_not_refused
 from swifttailor.wishes.sailor_collars import asks_for_sailor_collar, with_sailor_collar
+from swifttailor.wishes.tiers_as_asked import tiers_as_asked
 from swifttailor.wording.lexicon import Entry
 
 if TYPE_CHECKING:
@@ -68,6 +70,7 @@ def drafts_of(heard: Heard) -> tuple[NamedDraft, ...]:
     if asks_for_sailor_collar(entries):
         fitting = [with_sailor_collar(draft) for draft in fitting]
     fitting = [legs_as_said(draft, heard.text, _elastic(heard), heard.never) for draft in fitting]
+    fitting = [tiers_as_asked(godets_as_asked(draft, sure), sure) for draft in fitting]
     closed = [closed_as_counted(draft, heard.text) for draft in fitting]
     wanted = {lack.what for lack in heard.lacks if lack.said}
     found = dict.fromkeys([hem_as_asked(draft, sure, wanted, _denied(heard)) for draft in closed])

@@ -125,6 +125,8 @@ class NamedDraft:
         shown = (*shown, *_ARMHOLES_SHOW.get(str(dict(self.options).get(ARMHOLE, "")), ()))
         if float(dict(self.options).get(DROPPED_BY, 0.0)) >= DROPPED_CM:
             shown = (*shown, DROPPED)
+        tiered = self.name == "mermaid-dress" and dict(self.options).get("tiers")
+        shown = (*shown, *(_OF_TIERED_DRESSES if tiered else ()))
         curves = [CURVED_HEM] if dict(self.options).get(HEM_RISE, 0.0) else []
         return (*shown, *(["open_front"] if opens else ()), *(["stretch"] if stretches else ()), *curves)
 
@@ -134,7 +136,7 @@ class NamedDraft:
         return STANDING in self.options or ROLLED in self.options or ("standing", True) in self.options
 
     @property
-    def is_to_the_eye(self) -> tuple[tuple[str, str], ...]:
+    def is_to_the_eye(self) -> tuple[tuple[str, str | float], ...]:
         """Claims, by name and value, that are true of it to the eye, though not as they are measured."""
         stands = self.stands or self.name == "turtleneck"
         slits = _OF_SLITS if any(name == SIDE_SLITS for name, _ in self.options) else ()
@@ -156,8 +158,19 @@ class NamedDraft:
         hem = (*(_OF_DIPS if options.get(HEM_DIP) else ()), *(_OF_ARCS if options.get(SCALLOPS) else ()))
         blousing = self.name == "joggers" and float(options.get("leg_ease", 0.0)) >= BLOUSING_CM
         legs = (*(_OF_BLOUSING if blousing else ()), *(_OF_BOWS if options.get("bow") else ()))
+        legs = (*legs, *self._tiers_to_the_eye)
         shown = (_OF_STANDS if stands else (), slits, falls, bib, broad, high, wings, hem, legs)
         return (*DRAFTS_ARE.get(self.name, ()), *[claim for claims in shown for claim in claims])
+
+    @property
+    def _tiers_to_the_eye(self) -> tuple[tuple[str, str | float], ...]:
+        """Of tiers below a close part, which is no tier itself."""
+        options = dict(self.options)
+        close = options.get("close") if self.name == "tiered-skirt" else options.get("tiers")
+        if not close or self.name not in ("tiered-skirt", "mermaid-dress"):
+            wide = self.name == "tiered-skirt" and float(options.get("fullness", 0.0)) >= FULL_TIERS
+            return (("skirt", "flared"),) if wide else ()
+        return (*_OF_CLOSE_TIERS, ("tiers", float(options.get("tiers", 3.0))))
 
     @property
     def has_in_spirit(self) -> tuple[tuple[str, str], ...]:
@@ -228,6 +241,13 @@ _OF_BARE_ARMS = (("sleeves", "none"),)
 """What bare shoulders go with mostly; sleeves below them hold up the edge of the bodice."""
 _OF_CURVES = (("hem_shape", "high-low"), ("hem_shape", "pointed"))
 """What guesses make of words for a curved hem."""
+_OF_CLOSE_TIERS = (
+    *[("skirt", value) for value in ("tiered", "gathered tiers", "fitted base")],
+    ("hips", "close"),
+)
+FULL_TIERS = 1.6
+"""Tiers so many times as wide as those above them make a skirt that flares."""
+_OF_TIERED_DRESSES = ("frills",)
 _OF_ROOM = (("hips", "loose"),)
 """Claims, by name and value, that such options make true to the eye."""
 

@@ -13,6 +13,7 @@ from swifttailor.pattern.drafts.figure import Figure, Halves
 from swifttailor.pattern.drafts.fitted_bodice import FittedBodice, lay_fitted_bodice
 from swifttailor.pattern.drafts.fitted_skirt import FittedSkirt, lay_fitted_skirt
 from swifttailor.pattern.drafts.flared_skirt import SHORTEST_FLOUNCE, lay_flounce
+from swifttailor.pattern.drafts.godets import GodetCount, GodetHeight, Godets, GodetWidth, let_in_godets
 from swifttailor.pattern.drafts.joins import (
     SKIRT_HALVES,
     sew_skirt_to_bodice,
@@ -26,6 +27,7 @@ from swifttailor.pattern.drafts.round_skirt import RoundSkirt, lay_round_skirt
 from swifttailor.pattern.drafts.shaped_hem import HemShape
 from swifttailor.pattern.drafts.shaped_sleeve import SleeveShapeOption, lay_shaped_sleeve
 from swifttailor.pattern.drafts.sleeve import Sleeve
+from swifttailor.pattern.drafts.tiers import lay_tiers_below
 from swifttailor.pattern.drafts.trousers import lay_trousers, legs_of_bodice, sew_legs
 from swifttailor.pattern.pattern import Pattern
 
@@ -46,8 +48,8 @@ class SetInSleeveOptions:
 
 
 @dataclass(frozen=True)
-class FittedDressOptions(SetInSleeveOptions):
-    """Options of the fitted dress."""
+class CloseDressOptions(SetInSleeveOptions):
+    """Options of dresses that are close from the bust to the hips and below."""
 
     bust_ease: declared.BustEase = 5.0
     waist_ease: declared.WaistEase = 3.5
@@ -68,22 +70,38 @@ class FittedDressOptions(SetInSleeveOptions):
     stretch: declared.ClothStretch = 0.0
 
 
+@dataclass(frozen=True)
+class FittedDressOptions(CloseDressOptions):
+    """Options of the fitted dress."""
+
+    godets: GodetCount = 0
+    godet_width: GodetWidth = 32.0
+    godet_height: GodetHeight = 30.0
+
+
 def draft_fitted_dress(options: FittedDressOptions, measurements: Measurements) -> Pattern:
     """Drafts the fitted dress for a body."""
     figure = Figure.of(measurements).for_cloth(options.stretch / 100)
     table = CuttingTable("fitted-dress", options.stretch / 100)
     _lay_fitted_dress(table, figure, options, options.skirt_length, options.skirt_flare)
+    let_in_godets(table, Godets(options.godets, options.godet_width, options.godet_height))
     return table.finish()
 
 
 @dataclass(frozen=True)
-class MermaidDressOptions(FittedDressOptions):
+class MermaidDressOptions(CloseDressOptions):
     """Options of the mermaid dress."""
 
     skirt_length: declared.SkirtLength = 100.0
     skirt_flare: declared.SkirtFlare = -1.5
     close: declared.FlounceSeam = 58.0
     fraction: declared.FlounceFraction = 0.5
+    tiers: Annotated[
+        int, Option("Gathered tiers below the close part; 0: a flounce cut from a circle.", "tiers", 0, 6)
+    ] = 0
+    fullness: Annotated[
+        float, Option("Width of each tier over that of the edge it is gathered into.", "times", 1.15, 1.8)
+    ] = 1.4
 
 
 def draft_mermaid_dress(options: MermaidDressOptions, measurements: Measurements) -> Pattern:
@@ -92,12 +110,16 @@ def draft_mermaid_dress(options: MermaidDressOptions, measurements: Measurements
     table = CuttingTable("mermaid-dress", options.stretch / 100)
     close = min(options.close, options.skirt_length - SHORTEST_FLOUNCE)
     _lay_fitted_dress(table, figure, options, close, options.skirt_flare)
+    if options.tiers:
+        height = (options.skirt_length - close) / options.tiers
+        lay_tiers_below(table, options.tiers, height, figure.waist_y - close - 3.0, options.fullness)
+        return table.finish()
     lay_flounce(table, options.skirt_length - close, figure.waist_y - close - 3.0, options.fraction)
     return table.finish()
 
 
 def _lay_fitted_dress(
-    table: CuttingTable, figure: Figure, options: FittedDressOptions, length: float, flare: float
+    table: CuttingTable, figure: Figure, options: CloseDressOptions, length: float, flare: float
 ) -> None:
     """Lays and sews bodice and skirt; `length` is the skirt's, from the body's waist to its hem, cm."""
     collar = NeckCollar(options.collar, options.collar_width, options.collar_height)
@@ -311,6 +333,6 @@ def _set_in_sleeves(table: CuttingTable, figure: Figure, options: SetInSleeveOpt
 
 
 def _neckline(
-    options: FittedDressOptions | ShirtDressOptions | SleevedBodiceOptions,
+    options: CloseDressOptions | ShirtDressOptions | SleevedBodiceOptions,
 ) -> Neckline:
     return Neckline(options.neckline, options.neck_widening, options.neck_depth, options.back_neck_depth)

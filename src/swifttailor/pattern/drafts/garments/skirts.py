@@ -16,6 +16,7 @@ from swifttailor.pattern.drafts.flared_skirt import (
     lay_flounce,
     lay_gathered_skirt,
 )
+from swifttailor.pattern.drafts.godets import GodetCount, GodetHeight, Godets, GodetWidth, let_in_godets
 from swifttailor.pattern.drafts.joins import SKIRT_HALVES, SKIRT_WHOLE, sew_skirt_to_band
 from swifttailor.pattern.drafts.measurements import Measurements
 from swifttailor.pattern.drafts.options import Option
@@ -33,6 +34,9 @@ class FittedSkirtOptions:
     band_height: declared.BandHeight = 4.0
     waist_ease: declared.BandEase = 0.0
     stretch: declared.ClothStretch = 0.0
+    godets: GodetCount = 0
+    godet_width: GodetWidth = 32.0
+    godet_height: GodetHeight = 30.0
 
 
 def draft_fitted_skirt(options: FittedSkirtOptions, measurements: Measurements) -> Pattern:
@@ -43,6 +47,7 @@ def draft_fitted_skirt(options: FittedSkirtOptions, measurements: Measurements) 
     skirt = FittedSkirt(options.length, options.hip_ease, options.flare)
     lay_fitted_skirt(table, figure, skirt, lower, figure.waist_y - options.band_height)
     sew_skirt_to_band(table, SKIRT_HALVES)
+    let_in_godets(table, Godets(options.godets, options.godet_width, options.godet_height))
     return table.finish()
 
 

@@ -8,13 +8,19 @@ from typing import Annotated
 from swifttailor.pattern.drafts import declared
 from swifttailor.pattern.drafts.band import lay_body_waist_band
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
-from swifttailor.pattern.drafts.figure import Figure
-from swifttailor.pattern.drafts.fitted_skirt import SKIRT_BACK_Z, SKIRT_FRONT_Z
-from swifttailor.pattern.drafts.joins import SKIRT_WHOLE, sew_skirt_to_band
+from swifttailor.pattern.drafts.figure import Figure, Halves
+from swifttailor.pattern.drafts.fitted_skirt import SKIRT_BACK_Z, SKIRT_FRONT_Z, FittedSkirt, lay_fitted_skirt
+from swifttailor.pattern.drafts.joins import SKIRT_HALVES, SKIRT_WHOLE, sew_skirt_to_band
 from swifttailor.pattern.drafts.measurements import Measurements
 from swifttailor.pattern.drafts.options import Option
 from swifttailor.pattern.drafts.outline import annular_sector
+from swifttailor.pattern.drafts.tiers import lay_tiers_below
 from swifttailor.pattern.pattern import Pattern
+
+_BELOW_HIPS_CM, _LOWEST_TIERS_CM = 6.0, 16.0
+"""A close part ends so far below the hips at least, and leaves so much to its tiers, cm."""
+_HIP_EASE_CM, _FLARE = 4.0, 1.0
+"""Of the close part: cm, degrees."""
 
 
 @dataclass(frozen=True)
@@ -26,6 +32,10 @@ class TieredSkirtOptions:
     fullness: Annotated[
         float, Option("Width of each tier over that of the edge it is gathered into.", "times", 1.15, 1.8)
     ] = 1.4
+    close: Annotated[
+        float,
+        Option("Close part from the body's waist to the uppermost tier; 0: there is none.", "cm", 0.0, 76.0),
+    ] = 0.0
     band_height: declared.BandHeight = 4.0
     waist_ease: declared.BandEase = 0.0
 
@@ -35,6 +45,9 @@ def draft_tiered_skirt(options: TieredSkirtOptions, measurements: Measurements) 
     figure = Figure.of(measurements)
     table = CuttingTable("tiered-skirt")
     waist = lay_body_waist_band(table, figure, options.band_height, options.waist_ease)
+    if options.close > 0:
+        _lay_below_hips(table, figure, options, waist)
+        return table.finish()
     height = (options.length - options.band_height) / options.tiers
     top_y = figure.waist_y - options.band_height - 3.0
     widths = {"front": 2 * waist.front, "back": 2 * waist.back}
@@ -52,6 +65,19 @@ def draft_tiered_skirt(options: TieredSkirtOptions, measurements: Measurements) 
             table.seam(f"skirt_front{number}.{side}", f"skirt_back{number}.{side}")
     sew_skirt_to_band(table, SKIRT_WHOLE, gathered=True)
     return table.finish()
+
+
+def _lay_below_hips(table: CuttingTable, figure: Figure, options: TieredSkirtOptions, waist: Halves) -> None:
+    """A fitted skirt, and the tiers from its hem on; it ends below the hips, and the tiers have room."""
+    below_hips = figure.waist_y - figure.hip_y + _BELOW_HIPS_CM
+    close = min(max(options.close, below_hips), options.length - _LOWEST_TIERS_CM)
+    close = max(close, below_hips)
+    length = max(options.length, close + _LOWEST_TIERS_CM)
+    shape = FittedSkirt(close, _HIP_EASE_CM, _FLARE)
+    lay_fitted_skirt(table, figure, shape, waist, figure.waist_y - options.band_height)
+    sew_skirt_to_band(table, SKIRT_HALVES)
+    height = (length - close) / options.tiers
+    lay_tiers_below(table, options.tiers, height, figure.waist_y - close - 3.0, options.fullness)
 
 
 def _number(tier: int) -> str:
