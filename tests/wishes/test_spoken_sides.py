@@ -21,6 +21,11 @@ from swifttailor.wishes.spoken_sides import blanked, spoken_sides
         ("one long sleeve, one short", {"left_sleeve": "long", "right_sleeve": "short"}),
         ("the left arm 3/4 length", {"left_sleeve": "three-quarter"}),
         ("one strap, on the left", {"shoulders": "bare right"}),
+        ("right shoulder covered left one bare", {"shoulders": "bare left"}),
+        ("bare left shoulder", {"shoulders": "bare left"}),
+        ("left sleeve long, right arm completely bare", {"left_sleeve": "long", "sleeves": "left only"}),
+        ("no left sleeve", {"sleeves": "right only"}),
+        ("left leg bare", {}),
         ("long sleeves", {}),
         ("sleeves left long", {}),
         ("left sleeve long and left sleeve short", {}),  # who says both is not understood

@@ -30,3 +30,15 @@ def test_a_mini_skirt_that_is_not_too_short_is_still_a_mini_skirt():
 )
 def test_names_mean_what_people_picture(text, claim):
     assert read_words(text).certainty(claim) is not None
+
+
+@pytest.mark.parametrize(
+    ("text", "denied"),
+    [
+        ("a dress, sleeves yes, frills no", {"frills"}),
+        ("dress. pockets no. collar no", {"pockets", "collar"}),
+        ("a dress, sleeves no", {"sleeves"}),
+    ],
+)
+def test_what_is_answered_with_a_no_is_refused(text, denied):
+    assert {mark.word for mark in read_words(text).marks if mark.denied} == denied

@@ -29,6 +29,7 @@ from swifttailor.wishes.long_names import against_names, hangs_so, is_against_ph
 from swifttailor.wishes.mentions import find_mentions
 from swifttailor.wishes.one_arm import of_one_arm, of_two_arms, with_both_arms
 from swifttailor.wishes.reader import Wish, WishReader
+from swifttailor.wishes.refused_looks import refused_frills
 from swifttailor.wishes.sayings_of_wishes import plainly_wished, without_asides
 from swifttailor.wishes.side_remarks import without_side_remarks
 from swifttailor.wishes.spoken_faces import spoken_faces
@@ -120,7 +121,7 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
         said.append(slit)
     network = [w for w in network if not is_against_phrase(w, words)]
     against = against_names(words)
-    refused = (*words.never, *_with_parts(words), *against.values())
+    refused = (*words.never, *_with_parts(words), *refused_frills(words), *against.values())
     never = tuple([claim for claim in refused if claim not in said and not hangs_so(claim, words)])
     never = (*never, *other_slits(text, [*said, *[i.claim for i in words.implications]]))
     network = [w for w in network if not _is_measured(w, measures) and not _is_outdone(w, said, never)]

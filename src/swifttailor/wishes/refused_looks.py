@@ -8,6 +8,7 @@ from dataclasses import replace
 from swifttailor.describing.claims import Claim
 from swifttailor.pattern.drafts import find_draft
 from swifttailor.pattern.drafts.draft_names import NamedDraft
+from swifttailor.wording.lexicon import WordReading
 
 _INSTEAD: Mapping[Claim, Mapping[str, float]] = {
     Claim("fit", "close"): {"bust_ease": 11.0, "waist_ease": 10.0},
@@ -68,6 +69,15 @@ def as_not_refused(draft: NamedDraft, never: Collection[Claim]) -> NamedDraft:
                 )
             )
     return replace(draft, options=(*draft.options, *more)) if more else draft
+
+
+_FRILLS = (Claim("cuffs", "flounce"), Claim("skirt", "gathered tiers"))
+
+
+def refused_frills(words: WordReading) -> tuple[Claim, ...]:
+    """What is like frills, where a text wants none: "frills no"."""
+    denied = [entry for mark in words.marks if mark.denied for entry in mark.entries]
+    return _FRILLS if any("frills" in entry.cannot for entry in denied) else ()
 
 
 def _no_mini(draft: NamedDraft) -> NamedDraft:

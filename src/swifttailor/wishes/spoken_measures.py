@@ -15,6 +15,7 @@ from pathlib import Path
 from swifttailor.describing.claims import CLAIM_TYPES, Claim
 from swifttailor.describing.differences import Change, Gain
 from swifttailor.wishes.mentions import Mention, find_mentions
+from swifttailor.wishes.spoken_depths import spoken_depth
 from swifttailor.wording.numbers import CM_PER_INCH
 from swifttailor.wording.word_tables import read_table
 
@@ -94,6 +95,10 @@ def spoken_measures(text: str, kind: str | None) -> list[SpokenMeasure]:
             found.append(said)
             continue
         if _OFF.match(small, mention.end):
+            continue
+        depth = None if kind in _LOWER else spoken_depth(small, mention)
+        if depth is not None:
+            found.append(SpokenMeasure(mention, depth))
             continue
         start, end = _bounds(small, mention, numbers, k)
         claim, known = _said_of(small, mention, (start, end), kind)

@@ -37,6 +37,17 @@ _STRAP = re.compile(
     r"(?<!\w)(?:(?:one|a single|single|only one) (?:shoulder )?strap"
     r"(?: only)?,? (?:on|over|at) (?:the |my )?(?P<side>left|right)(?: side| shoulder)?(?!\w))"
 )
+_HOW = r"(?:is |being |left |kept |completely |totally |entirely |fully |quite |all ){0,3}"
+_COVERED = re.compile(rf"(?<!\w)(?P<side>left|right) shoulder {_HOW}(?:covered|draped|clothed)(?!\w)")
+_UNCOVERED = re.compile(
+    rf"(?<!\w)(?P<side>left|right) (?:shoulder|one) {_HOW}(?:bare|bared|uncovered|naked|exposed)(?!\w)"
+    r"|(?<!\w)(?:bare|naked|exposed|uncovered) (?P<said>left|right) shoulder(?!\w)"
+)
+_BARE_ARM = re.compile(
+    rf"(?<!\w)(?P<side>left|right) (?:{_ARM} )?{_HOW}(?:bare|bared|uncovered|naked|exposed|sleeveless)(?!\w)"
+    rf"|(?<!\w)(?:bare|naked|exposed|uncovered|no) (?P<said>left|right) {_ARM}"
+    rf"|(?<!\w)no sleeve on (?:the |my )?(?P<named>left|right)(?: side| arm)?(?!\w)"
+)
 _SIDE_ARM = re.compile(rf"(?<!\w)(?P<side>left|right) {_ARM}")
 
 
@@ -83,6 +94,24 @@ def _found(text: str) -> Iterator[tuple[Claim, tuple[int, int]]]:
             yield Claim(f"{side}_sleeve", _LENGTHS[said]), match.span()
     for match in _STRAP.finditer(text):
         yield Claim("shoulders", f"bare {_OTHER[match['side']]}"), match.span()
+    yield from _uncovered(text)
+
+
+def _uncovered(text: str) -> Iterator[tuple[Claim, tuple[int, int]]]:
+    """Which shoulder or arm is bare: "right shoulder covered, left one bare", "right arm completely bare"."""
+    sides: dict[str, list[tuple[int, int]]] = {}
+    for match in _COVERED.finditer(text):
+        sides.setdefault(_OTHER[match["side"]], []).append(match.span())
+    for match in _UNCOVERED.finditer(text):
+        if "shoulder" in text:
+            sides.setdefault(match["side"] or match["said"], []).append(match.span())
+    if len(sides) == 1:
+        (side, spans), *_ = sides.items()
+        yield Claim("shoulders", f"bare {side}"), (min(spans)[0], max(spans)[1])
+    arms = {m["side"] or m["said"] or m["named"]: m.span() for m in _BARE_ARM.finditer(text)}
+    if len(arms) == 1 and not sides and re.search(rf"(?<!\w)(?:sleeves?|arms?|{_ARM})(?!\w)", text):
+        ((side, span),) = arms.items()
+        yield Claim("sleeves", f"{_OTHER[side]} only"), span
 
 
 def without_spans(words: WordReading, spans: Sequence[tuple[int, int]]) -> WordReading:

@@ -20,6 +20,8 @@ _ALSO: Mapping[Language, tuple[tuple[str, ...], tuple[str, ...]]] = {
     "pt": (("nem",), ()),
 }
 """Words for "or" and "and" in one language, which mean something else in others."""
+_NOES = frozenset(["no", "non", "nein", "nee", "não"])
+"""What is said behind the name of what is not wanted."""
 _ADJECTIVES = frozenset(
     ["styles", "fits", "lengths", "occasions", "colors", "shades", "prints", "fabrics", "sizes"]
 )
@@ -45,13 +47,23 @@ def denied_words(words: Sequence[Meaning], language: Language = "en") -> frozens
     for k, word in enumerate(words):
         if word.category != "negations":
             continue
-        if word.entries[0].negates == "after":
+        if _is_answer(words, k):
+            found.add(k - 1)
+        elif word.entries[0].negates == "after":
             _deny_after(words, k, found, joints)
         else:
             before = _named_before(words, k)
             if before is not None:
                 found.add(before)
     return frozenset(found)
+
+
+def _is_answer(words: Sequence[Meaning], k: int) -> bool:
+    """Whether a negation answers what is named right before it: "sleeves yes, frills no"."""
+    if words[k].found.word not in _NOES or k == 0 or words[k - 1].found.gap not in ("space", "hyphen"):
+        return False
+    ends = k + 1 == len(words) or words[k].found.gap in ("pause", "stop")
+    return ends and not words[k - 1].holds_together and _can_be_had(words[k - 1])
 
 
 def _named_before(words: Sequence[Meaning], k: int) -> int | None:
