@@ -114,6 +114,8 @@ def test_a_weight_beside_a_height_is_read():
         "col rond, grosse maille",
         "a skirt 5 cm below the waist",
         "finished chest 104 cm",
+        "saya, largo desde la cintura 60 cm",
+        "tank dress, sizes S-XL",
     ],
 )
 def test_what_is_of_the_garment_is_no_wearers(text):

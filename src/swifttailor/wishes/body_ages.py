@@ -97,7 +97,7 @@ def hear_age(said: SaidBody, *, child: bool) -> None:
         if child or named or _ends(said, match):
             said.age = age
             said.take(match)
-            if age < 2:
+            if age < 3:
                 said.is_baby = True
                 said.notes.append(BABY.format(tall=98))
             return

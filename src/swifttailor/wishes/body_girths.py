@@ -52,7 +52,9 @@ def _named() -> re.Pattern[str]:
 
 @cache
 def _not_after() -> re.Pattern[str]:
-    return re.compile(rf"(?<!\w){any_of('girths', 'not_after')}\s+$", re.IGNORECASE)
+    return re.compile(
+        rf"(?<!\w){any_of('girths', 'not_after')}\s+(?:(?:the|my|la|le|der|die|das|il)\s+)?$", re.IGNORECASE
+    )
 
 
 _TRIPLE = re.compile(

@@ -35,11 +35,13 @@ _GARMENT = (
     r"(?:collar|kragen|neck|shoe|shoes|boots?|hat|needles?|buttons?|zips?|belt|ring|print|font|schuh\w*)"
 )
 _BABY_SIZES = range(44, 98, 6)
+_RANGES_END = 50
+"""Runs of sizes that end below are those of a shop ("size 8-16"), not a child's of two ("98/104")."""
 _SHORT_CM = {"women": 160.0}
 """Of German short sizes, which are half the number."""
 BABY = (
-    "A baby's body cannot be had: it is made for the smallest child that there is, {tall} cm tall, "
-    "about three years old."
+    "No body of a baby or small child can be had: it is made for the smallest that there is, {tall} cm tall "
+    "and about three years old."
 )
 
 
@@ -48,7 +50,7 @@ def _sized() -> re.Pattern[str]:
     size = any_of("sizes", "size")
     return re.compile(
         rf"(?:\b(?:in|of|a|an|en|de|für|bin|trage|habe|uso|tengo|je fais du|je fais un)\s+)*"
-        rf"(?:(?<!\w)(?P<before>{_REGION})\s+)?(?<![\w-])(?P<size>{size})(?:\s+(?:is|ist|:|nr\.?|no\.?))?\s*:?\s*"
+        rf"(?:(?<!\w)(?P<before>{_REGION})\s+)?(?<![\w-])(?P<size>{size})(?![^\W\d])(?:\s+(?:is|ist|:|nr\.?|no\.?))?\s*:?\s*"
         rf"(?:(?P<between>{_REGION})\s*)?"
         rf"(?:(?P<number>\d{{1,3}})(?:\s?[-/–]\s?(?P<to>\d{{2,3}}))?(?P<wide>\s?W)?|(?P<letter>{_LETTER})"
         rf"|(?P<word>(?:extra )?(?:small|large)|medium))"
@@ -108,6 +110,8 @@ def hear_size(said: SaidBody, figure: str | None, *, child: bool = False) -> Non
 def _is_meant(match: re.Match[str], said: SaidBody) -> bool:
     if match["number"] is None:
         return True
+    if match["to"] and int(match["to"]) < _RANGES_END:
+        return False
     if re.fullmatch(any_of("sizes", "french"), match["size"], re.IGNORECASE):
         # A "taille" of the 60s and more is a waist; where other girths are given it was read before.
         return int(match["number"]) <= 60 or int(match["number"]) >= 98

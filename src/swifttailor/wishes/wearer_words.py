@@ -102,7 +102,7 @@ def hear_wearer(text: str, *, instruction: bool = False) -> HeardWearer:
         hear_legs(said)
     spoken = figure or spoken_figure(text)
     hear_size(said, spoken, child=child)
-    if not said.build:
+    if not said.build and not instruction:
         hear_build(said)
     wearer = _wearer(said, figure, spoken, child=child and (figure == "children" or is_for_a_child(text)))
     if wearer is None:
