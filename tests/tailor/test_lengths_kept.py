@@ -41,3 +41,14 @@ def test_where_lengths_hold_nothing_is_cut(tailor):
     body = body_wanted(answer.wanted.order, None)
     fitted = refitted(answer, body)
     assert with_lengths_kept(fitted, body) is fitted
+
+
+@pytest.mark.parametrize("who", ["I am 4'11", "for a woman 190 cm tall"])
+def test_a_hem_that_is_said_from_the_knee_is_above_the_wearers_own(tailor, who):
+    (answer,) = tailor.write([Order(f"{who}, a sundress, the hem two inches above the knee")])
+    body = body_wanted(answer.wanted.order, None)
+    kept = with_lengths_kept(refitted(answer, body), body)
+    facts = measure_facts(kept.pattern, body.measurements)
+    # Dresses hang a little lower than they are cut.
+    assert facts.hem.level - facts.body.knee == pytest.approx(5.1 + 2.5, abs=3.0)
+    assert kept.verdict.open == answer.verdict.open

@@ -11,6 +11,7 @@ from swifttailor.describing.measuring import measure_facts
 from swifttailor.errors import SwiftTailorError
 from swifttailor.recutting.alter import alter
 from swifttailor.tailor.answer import Answer
+from swifttailor.wishes.spoken_measures import length_on
 
 LENGTHS = frozenset({"skirt_hem", "top_hem", "leg_hem", "sleeves", "left_sleeve", "right_sleeve"})
 """Claims about where a part of the garment ends on its wearer."""
@@ -35,14 +36,19 @@ def with_lengths_kept(answer: Answer, body: Body) -> Answer:
         return answer
     try:
         facts = measure_facts(answer.pattern, body.measurements)
-        lost = [gain for gain in lengths if not gain.holds(facts, facts)]
+        # "Two inches above the knee" is a shorter dress on a shorter person.
+        own = {
+            gain: Gain(length_on(wanted.text, gain.claim, facts.body)) if gain in lengths else gain
+            for gain in met
+        }
+        lost = [gain for gain in lengths if not own[gain].holds(facts, facts)]
         if not lost:
             return answer
-        held = [gain for gain in met if gain.holds(facts, facts)]
-        cut = alter(answer.pattern, [*held, *lost], body=body.measurements)
+        held = [own[gain] for gain in met if own[gain].holds(facts, facts)]
+        cut = alter(answer.pattern, [*held, *[own[gain] for gain in lost]], body=body.measurements)
     except SwiftTailorError:
         return answer
-    missing = tuple([gain for gain in lost if gain in cut.open])
+    missing = tuple([gain for gain in lost if own[gain] in cut.open])
     return replace(
         answer,
         pattern=cut.pattern,

@@ -14,6 +14,7 @@ from pathlib import Path
 
 from swifttailor.describing.claims import CLAIM_TYPES, Claim
 from swifttailor.describing.differences import Change, Gain
+from swifttailor.describing.facts import LandmarkFacts
 from swifttailor.wishes.mentions import Mention, find_mentions
 from swifttailor.wishes.spoken_depths import spoken_depth
 from swifttailor.wording.numbers import CM_PER_INCH
@@ -31,7 +32,7 @@ _RELATIVE = re.compile(
     r"\s*(?:above|over|below|under|past|from|off|higher|lower|longer|shorter)(?!\w)", re.IGNORECASE
 )
 _OFF = re.compile(r"\s*(?:off|more|less|extra|plus|minus)(?!\w)", re.IGNORECASE)
-_KNEE_CM, _SHOULDER_CM, _WAIST_CM = 45.9, 144.5, 108.8
+_KNEE_CM, _SHOULDER_CM, _WAIST_CM, _NECK_CM = 45.9, 144.5, 108.8, 145.7
 """Heights of the default body."""
 _HANGS_CM = 2.5
 """So much lower than on their patterns dresses end on the body."""
@@ -174,6 +175,32 @@ def _relative(text: str, mention: Mention, kind: str | None) -> SpokenMeasure | 
     if kind == "dress":
         return SpokenMeasure(mention, Claim("length_cm", round(_SHOULDER_CM - level - _HANGS_CM, 1)))
     return SpokenMeasure(mention, None)
+
+
+def length_on(text: str, claim: Claim, body: LandmarkFacts) -> Claim:
+    """A stated length as it is on another body, where the text says it from the knee or the floor.
+
+    Args:
+        text: It is said in.
+        claim: A length, as `spoken_measures` states it, of the default body.
+        body: Whose heights count.
+    """
+    top = {
+        "length_cm": (_SHOULDER_CM, body.neck - _NECK_CM + _SHOULDER_CM),
+        "skirt_length_cm": (_WAIST_CM, body.waist),
+    }
+    if claim.name not in top:
+        return claim
+    told = [
+        (_KNEE_CM, body.knee) if _KNEE.match(text, mention.end) else (0.0, 0.0)
+        for mention in find_mentions(text)
+        if mention.is_length and (_KNEE.match(text, mention.end) or _FLOOR.match(text, mention.end))
+    ]
+    if len(told) != 1:
+        return claim
+    (usual_end, own_end), (usual_top, own_top) = told[0], top[claim.name]
+    longer = (own_top - own_end) - (usual_top - usual_end)
+    return Claim(claim.name, round(float(claim.value) + longer, 1))
 
 
 def _bounds(text: str, mention: Mention, numbers: Sequence[Mention], k: int) -> tuple[int, int]:
