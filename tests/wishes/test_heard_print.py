@@ -70,3 +70,10 @@ def test_spellings_that_sound_alike_are_put_right_and_others_are_guesses():
     assert lexicon_spelling("wuzzle") is None and lexicon_spelling("cardagan") is None
     assert guessed_name(["cardagan"]) == ("cardagan", "cardigan")
     assert guessed_name(["wuzzle"]) is None
+
+
+def test_a_print_has_all_colours_that_its_name_says() -> None:
+    found = heard_print("a tie dye t-shirt", read_words("a tie dye t-shirt"))
+    assert found is not None
+    assert len(set(found.colors)) == 4
+    assert "#f0b63f" in found.colors

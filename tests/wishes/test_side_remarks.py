@@ -21,6 +21,8 @@ from swifttailor.wishes.side_remarks import without_side_remarks
         ("a silk slip to wear under my wedding dress", "a silk slip"),
         ("jacket that goes with a long red evening gown", "jacket"),
         ("a tunic to wear over leggings, navy", "a tunic, navy"),
+        ("I already have the jacket, just need trousers in navy", "need trousers in navy"),
+        ("trousers for a suit, the jacket I have is grey herringbone", "trousers for a suit"),
         ("a blouse under my black pinafore dress", "a blouse"),
         (
             "racerback, long enough to cover the waistband of my leggings",

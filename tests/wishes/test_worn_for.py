@@ -29,6 +29,8 @@ def reader() -> WishReader:
         ("something cute for a first date", "wrap dress", "dress"),
         ("I want to look like Gandalf, grey", "wizard robe", "dress"),
         ("a dress like Mary Poppins, navy", "Edwardian dress", "dress"),
+        ("Clueless skirt", "plaid skirt", "skirt"),
+        ("something for a Gatsby party", "flapper dress", "dress"),
         ("smart but not stuffy, for casual friday", "shirt", "top"),
         ("something for a ball", "evening gown", "dress"),
     ],

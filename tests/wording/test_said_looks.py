@@ -29,6 +29,8 @@ lace sleeve dress | | sleeves lace
 pink dress with dark green sleeves | pink | sleeves dark green
 black jumpsuit wide legs no sleeves | black |
 navy skirt knee length | navy |
+a vest, the red puffy one | red |
+sleeves in lace, the rest of the dress in satin, ivory | ivory | sleeves lace
 coveralls short sleeve orange, leg ends with cuffs | orange |
 just the trousers, white suit like in the film | white |
 black and white dress | black white |

@@ -48,6 +48,20 @@ _REMARKS = (
         re.IGNORECASE,
     ),
 )
+_OWNED = (
+    re.compile(
+        rf",?\s*(?<![\w-])(?:and |but |as |because |since )?(?:the|my|his|her) {_WORDS_BEFORE}{_HEAD} "
+        r"(?:that |which )?(?:i|we|he|she)(?:['’]ve)? (?:already |just )?(?:have|own|got|bought|has)(?!\w)"
+        r"(?: (?:already|got))?(?: (?:is|are|was|in)(?!\w)[^.,;]*)?",
+        re.IGNORECASE,
+    ),
+    re.compile(
+        r"(?<![\w-])(?:i|we|he|she)(?:['’]ve)? (?:already )(?:have|own|got|bought|has)(?: got)? "
+        rf"(?:the|an?|my|that|this) {_WORDS_BEFORE}{_HEAD}{_NOT_ALONE}(?:,? (?:so|and|but|just)(?!\w))*,?\s*",
+        re.IGNORECASE,
+    ),
+)
+"""Garments that are there: "the jacket I have is grey", "I already have the jacket"."""
 _PLACE_ON = re.compile(
     r"(?:(?<=cover )|(?<=covers )|(?<=over )|(?<=below )|(?<=past )|(?<=above )|(?<=reach )|(?<=hide ))"
     rf"(?:the )?(?:waistband|waist|hem|top|collar|sleeves|bottom|straps|neckline|back|seat) of "
@@ -63,7 +77,7 @@ def without_side_remarks(text: str) -> str:
     Args:
         text: A description in any case.
     """
-    for pattern in (*_REMARKS, _PLACE_ON):
+    for pattern in (*_REMARKS, *_OWNED, _PLACE_ON):
         for found in reversed(list(pattern.finditer(text))):
             put = " it" if pattern is _PLACE_ON else ""
             rest = (text[: found.start()].rstrip() + put + text[found.end() :]).strip()

@@ -52,11 +52,10 @@ def _told_by_details(heard: Heard) -> str | None:
 def _worn_for(heard: Heard) -> str | None:
     marks = () if heard.words is None else [mark for mark in heard.words.marks if not mark.denied]
     entries = [entry for mark in marks for entry in mark.entries if entry.worn]
-    named = [mark for mark in marks if mark.role in _NAMES]
-    if named and all(mark.word.lower() in _MERE_DRESSES for mark in named):
-        entries = [entry for entry in entries if entry.place[0] == _PERSONS]  # "a dress like Mary Poppins"
-    elif named:
-        return None
+    names = {mark.word.lower() for mark in marks if mark.role in _NAMES}
+    if names:  # "a dress like Mary Poppins", "Clueless skirt"
+        known = [entry for entry in entries if entry.place[0] == _PERSONS]
+        entries = [e for e in known if names <= {*_MERE_DRESSES, str(e.worn).split()[-1]}]
     named = () if heard.words is None else [i.claim for i in heard.words.implications]
     details = [w.change.claim for w in heard.sure if isinstance(w.change, Gain)]
     details = [claim for claim in details if claim.name != "kind" or claim in named]  # a network guesses

@@ -62,6 +62,7 @@ _NOUN_FIRST: frozenset[Language] = frozenset({"fr", "es", "it", "pt"})
 _WITH = frozenset("with mit met con col com avec à au aux in im ad al da mid og".split())
 """First words of names of details that another noun stands before: "met wijde pijpen"."""
 _PLURAL_PRINT = re.compile(r"s$", re.IGNORECASE)
+_REST = re.compile(r"(?<!\w)(?:the )?(?:rest|remainder) (?:of|in|is|plain)(?!\w)", re.IGNORECASE)
 _APART = re.compile(r"[,;:.!?\n()|]")
 _MOST_BETWEEN = 6
 
@@ -266,6 +267,8 @@ class _Reader:
             return True
         if j and self._marks[j - 1].word.lower().split()[-1] in _DEFINITE:
             return True
+        if _REST.search(self._text):
+            return True  # "sleeves in lace, the rest in satin"
         mine = _category(self._marks[k])
         return any(
             _is_look(mark) and _category(mark) == mine and self._before(n) == []
