@@ -354,3 +354,17 @@ def test_colors_of_other_languages(text: str, color: str) -> None:
     assert meant in [each.rgb for each in read_words(text).colors] + [
         look.color.rgb for look in read_words(text).looks if look.color is not None
     ]
+
+
+def test_what_contradicts_two_others_is_left_out() -> None:
+    reading = read_words("strapless turtleneck with long sleeves")
+    assert reading.contradictions
+    claims = {f"{i.claim.name}={i.claim.value}" for i in reading.implications}
+    assert {"collar=turtleneck", "sleeves=long"} <= claims
+    assert "shoulders=strapless" not in claims
+
+
+def test_a_prom_dress_that_is_not_low_cut_has_shoulders() -> None:
+    claims = {f"{i.claim.name}={i.claim.value}" for i in read_words("prom dress, not low cut").implications}
+    assert "shoulders=both" in claims
+    assert "shoulders=strapless" not in claims

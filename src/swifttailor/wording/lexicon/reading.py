@@ -16,6 +16,7 @@ from swifttailor.wording.lexicon.entries import Certainty, Entry, NamedPrint
 from swifttailor.wording.lexicon.inflection import Language
 from swifttailor.wording.lexicon.marking import find_words
 from swifttailor.wording.lexicon.meanings import Meaning, Role, meanings
+from swifttailor.wording.lexicon.odd_ones import odd_ones
 from swifttailor.wording.lexicon.said_looks import WHOLE, SaidLook, said_looks
 from swifttailor.wording.lexicon.two_places import of_two_places
 from swifttailor.wording.lexicon.vocabulary import vocabulary
@@ -281,7 +282,8 @@ def _settled(implied: Sequence[Implication]) -> list[Implication]:
     What a name means by definition is surer than what a detail usually goes with: of a mini dress with a
     straight skirt the hem is a mini dress's.
     """
-    ranked = sorted(implied, key=_rank)
+    odd = odd_ones(implied)
+    ranked = sorted(implied, key=lambda one: (one in odd, _rank(one)))
     kept: list[Implication] = []
     for each in ranked:
         if any(each.claim == other.claim for other in kept):
