@@ -18,6 +18,8 @@ from swifttailor.wording.lexicon import glossed, read_words
         ("uzun kollu beyaz gömlek", "long sleeves white shirt"),
         ("синее платье в горошек до колен", "blue dress polka dots knee length"),
         ("검은색 롱 원피스", "black maxi dress"),
+        ("mörkblå byxor med hög midja", "dark blue trousers with high waist"),
+        ("ciemnozielony płaszcz z kapturem", "dark green coat with hood"),
         ("en florbig klänning", "florbig dress"),
     ],
 )

@@ -20,6 +20,7 @@ _GARMENTS, _NOTHING = "garments", "nothing"
 _TOKEN = re.compile(r"[\u3040-\u30ff\u3400-\u9fff]+|[^\W\d_]+(?:[-'’][^\W\d_]+)*|[^\w\s]|\d[\d.,]*|\S")
 _IDEOGRAPHS = re.compile(r"[\u3040-\u30ff\u3400-\u9fff]+$")
 _SAYS_LITTLE = frozenset(["function", "polite", "negations", "degrees", "numbers"])
+_SHADES = ("dark", "light")
 _LONGEST_PHRASE = 4
 _LONGEST_TEXT = 2000
 """Characters; longer texts are stories, of which words alone tell little."""
@@ -109,7 +110,13 @@ def _gloss(said: str) -> str | None:
         return known.exact[said]
     fitting = [said[:end] for end in range(len(said), 1, -1) if said[:end] in known.stems]
     fitting = [stem for stem in fitting if stem.count(" ") == said.count(" ")]
-    return known.stems[fitting[0]] if fitting else None
+    if not fitting:
+        return None
+    english = known.stems[fitting[0]]
+    if english in _SHADES and (rest := said[len(fitting[0]) :].lstrip("oeн-")):  # "ciemnozielony", "mörkblå"
+        color = known.exact.get(rest) or (_gloss(rest) if len(rest) > 2 else None)
+        return f"{english} {color}" if color else english
+    return english
 
 
 @cache
