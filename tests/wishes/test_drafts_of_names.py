@@ -7,6 +7,8 @@ import pytest
 from swifttailor.describing.claims import Claim
 from swifttailor.pattern.drafts import draft
 from swifttailor.pattern.drafts.draft_names import DRAFT_KINDS, NamedDraft
+from swifttailor.pattern.drafts.options import make_options
+from swifttailor.pattern.drafts.registry import find_draft
 from swifttailor.wishes.drafts_of_names import draft_of_kind, draft_of_name
 from swifttailor.wording.lexicon import read_words
 from swifttailor.wording.lexicon.vocabulary import vocabulary
@@ -68,3 +70,10 @@ def test_every_draft_of_a_name_can_be_drafted_and_is_of_its_kind(entry):
             continue
         assert isinstance(found, NamedDraft) and DRAFT_KINDS[found.name] == CUT_AS.get(kind, kind)
         assert draft(found.name, **dict(found.options)).panels
+
+
+def test_drafts_that_tables_name_have_their_options() -> None:
+    for entry in vocabulary("en").entries:
+        for each in entry.drafts:
+            info = find_draft(each.name)
+            make_options(info.name, info.options_class, dict(each.options))

@@ -77,9 +77,9 @@ class Meaning:
     @property
     def is_noun(self) -> bool:
         """Whether things can be said of it; nothing can be of what is not there, as of "no sleeves"."""
-        if any(claim.value == "none" for entry in self.entries for claim in entry.claims("certain")):
+        if self.part is None and self.category not in ("garments", "accessories", "parts", "generic"):
             return False
-        return self.part is not None or self.category in ("garments", "accessories", "parts", "generic")
+        return not any(claim.value == "none" for entry in self.entries for claim in entry.claims("certain"))
 
 
 def meanings(
