@@ -94,3 +94,8 @@ def test_legs_of_names(text, name, option, least, reader):
 def test_skirts_and_short_legs(text, name, option, low, high, reader):
     first = hear_description(text, reader).drafts[0]
     assert first.name == name and low <= float(dict(first.options)[option]) <= high
+
+
+def test_dresses_are_gathered_into_an_elastic_waist(reader):
+    first = hear_description("a knee length dress with an elastic waist", reader).drafts[0]
+    assert first.name == "skater-dress" and dict(first.options)["gathers"] > 1.5

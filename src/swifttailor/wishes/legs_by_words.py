@@ -28,13 +28,15 @@ _FULL, _SHORTER_CM = Claim("leg_hem", "full"), 92.0
 _LONGEST = ("trousers", "pull-on-trousers")
 _PULLED_ON: Mapping[str, float] = {"hip_ease": 7.0, "leg_ease": 21.0, "flare": -3.5}
 """What trousers that are gathered at the waist have at least, as they have no darts."""
+_GATHERED_DRESSES, _GATHERS = ("skater-dress", "shirt-dress"), 1.7
+"""Dresses whose skirt can be gathered into the waist, and how much wider it then is."""
 _OF_BOTH = ("length", "hip_ease", "leg_ease", "flare", "below_waist")
 
 
 def legs_as_said(
     draft: NamedDraft, text: str, wanted: Collection[str], never: Collection[Claim]
 ) -> NamedDraft:
-    """Trousers that drag, or that are gathered at the waist, where a text says so; others as they are.
+    """Trousers that drag, and what is gathered at the waist, where a text says so; others as they are.
 
     Args:
         draft: As it was asked for otherwise.
@@ -47,6 +49,9 @@ def legs_as_said(
         room = max(_PULLED_ON["hip_ease"], float(kept.get("hip_ease", 0.0)))
         draft = NamedDraft("pull-on-trousers", tuple({**_PULLED_ON, **kept, "hip_ease": room}.items()))
     options = dict(draft.options)
+    if draft.name in _GATHERED_DRESSES and ELASTIC in wanted:
+        full = max(_GATHERS, float(options.get("gathers", 0.0)))
+        return replace(draft, options=tuple({**options, "gathers": full}.items()))
     long = float(options.get("length", _LONG_CM)) >= _LONG_CM
     if draft.name in _LONGEST and long and _DRAGS.search(text) and not _NOT_LONG.search(text):
         draft = replace(draft, options=tuple({**options, "length": _DRAGGING_CM}.items()))

@@ -261,6 +261,9 @@ def test_never_raises_for_patterns_of_other_names(shipped_patterns, square_patte
 
 
 def test_elastic_draws_folds_where_cloth_is_gathered_alone(drafts):
+    dress = place_trims(replace(draft("skater-dress", gathers=1.7), trims=("elastic waist",)))
+    assert {"skirt_front", "left_ftorso", "right_btorso"} <= {piece.panel for piece in dress}
+    assert place_trims(replace(drafts["skater-dress"], trims=("elastic waist",))) == ()
     folds = place_trims(replace(drafts["pull-on-trousers"], trims=("elastic waist",)))
     smooth = place_trims(replace(drafts["leggings"], trims=("elastic waist",)))
     assert {piece.panel for piece in smooth} == {"wb_front", "wb_back"}

@@ -10,6 +10,8 @@ from swifttailor.pattern.trims.front_view import FrontView
 from swifttailor.pattern.trims.shapes import Trim
 
 _BANDS = ("wb_front", "wb_back")
+_LOWER = ("skirt_", "pant_")
+"""What hangs from the waist."""
 _ROWS = (0.36, 0.68)
 """Heights of the rows of stitches, as parts of the band's."""
 _BESIDE = 0.7
@@ -23,8 +25,14 @@ _GATHERED = 1.08
 
 
 def waist_elastic(chalk: Chalk, name: str) -> list[Trim]:
-    """Rows along a waistband, and folds in it and below it where cloth is gathered into it."""
-    if "left_ftorso" in chalk.views or not all(band in chalk.views for band in _BANDS):
+    """Rows along a waistband, and folds in it and below it where cloth is gathered into it.
+
+    Of dresses, folds above and below the waist where the skirt is gathered into it.
+    """
+    has_bands = all(band in chalk.views for band in _BANDS)
+    if "left_ftorso" in chalk.views and not (has_bands and "skirt_front" in chalk.views):
+        return _at_waist_seam(chalk, name)
+    if not has_bands:
         return []
     pieces: list[Trim] = []
     for band in _BANDS:
@@ -34,12 +42,47 @@ def waist_elastic(chalk: Chalk, name: str) -> list[Trim]:
         pieces += rows
         below = _sewn_below(chalk, band)
         fullness = sum(chalk.pattern.edge_length(ref) for ref in below) / _bottom(chalk, band)
+        if fullness < _GATHERED and "left_ftorso" in chalk.views:
+            return []
         if fullness < _GATHERED:
             continue
         pieces += _folds_of_band(chalk, name, chalk.views[band])
         for panel in dict.fromkeys(ref.panel for ref in below):
             if panel in chalk.views:
                 pieces += _folds_below(chalk, name, chalk.views[panel], _APART * fullness)
+    return pieces
+
+
+def _at_waist_seam(chalk: Chalk, name: str) -> list[Trim]:
+    """Folds on both sides of the seam that joins a gathered skirt to a bodice."""
+    skirts: dict[str, float] = {}
+    torsos: dict[str, float] = {}
+    for stitch in chalk.pattern.stitches:
+        first, second = sorted(stitch.sides, key=lambda ref: "torso" in ref.panel)
+        if first.panel.startswith("skirt_") and "torso" in second.panel:
+            for ref, lengths in ((first, skirts), (second, torsos)):
+                lengths[ref.panel] = lengths.get(ref.panel, 0.0) + chalk.pattern.edge_length(ref)
+    fullness = sum(skirts.values()) / max(sum(torsos.values()), 1.0)
+    if fullness < _GATHERED:
+        return []
+    pieces: list[Trim] = []
+    for panel in (one for one in skirts if one in chalk.views):
+        pieces += _folds_below(chalk, name, chalk.views[panel], _APART * fullness)
+    for panel in (one for one in torsos if one in chalk.views):
+        pieces += _folds_above(chalk, name, chalk.views[panel])
+    return pieces
+
+
+def _folds_above(chalk: Chalk, name: str, view: FrontView) -> list[Trim]:
+    near = view.outline[view.outline[:, 1] <= view.low + 3.0]
+    low, high = float(near[:, 0].min()) + _BESIDE, float(near[:, 0].max()) - _BESIDE
+    pieces: list[Trim] = []
+    for k, x in enumerate(np.linspace(low, high, max(round((high - low) / (_APART * chalk.size)), 2))):
+        column = view.column(float(x))
+        if column is not None:
+            deep = 0.8 * _DEEP[k % len(_DEEP)] * chalk.size
+            ends = [(float(x), column[0] + 0.2), (float(x), column[0] + deep)]
+            pieces += chalk.line(name, view.panel.name, ends, width=_FOLD)
     return pieces
 
 
@@ -102,7 +145,7 @@ def _sewn_below(chalk: Chalk, band: str) -> tuple[EdgeRef, ...]:
     for stitch in chalk.pattern.stitches:
         first, second = stitch.sides
         for own, other in ((first, second), (second, first)):
-            if own.panel == band and other.panel not in _BANDS:
+            if own.panel == band and other.panel.startswith(_LOWER):
                 found.append(other)
     return tuple(dict.fromkeys(found))
 
@@ -113,6 +156,6 @@ def _bottom(chalk: Chalk, band: str) -> float:
         ref
         for stitch in chalk.pattern.stitches
         for ref in stitch.sides
-        if ref.panel == band and not all(side.panel in _BANDS for side in stitch.sides)
+        if ref.panel == band and any(side.panel.startswith(_LOWER) for side in stitch.sides)
     }
     return max(sum(chalk.pattern.edge_length(ref) for ref in refs), 1.0)
