@@ -99,3 +99,18 @@ def test_skirts_and_short_legs(text, name, option, low, high, reader):
 def test_dresses_are_gathered_into_an_elastic_waist(reader):
     first = hear_description("a knee length dress with an elastic waist", reader).drafts[0]
     assert first.name == "skater-dress" and dict(first.options)["gathers"] > 1.5
+
+
+def test_baggy_joggers_are_no_harem_trousers(reader):
+    (baggy, *_) = hear_description("baggy joggers", reader).drafts
+    (harem, *_) = hear_description("harem pants", reader).drafts
+    assert baggy.name == harem.name == "joggers"
+    assert 20.0 <= dict(baggy.options)["leg_ease"] <= 32.0 < dict(harem.options)["leg_ease"]
+    assert "low_crotch" in harem.shows and "low_crotch" not in baggy.shows
+
+
+def test_what_blouses_over_its_cuffs_ends_where_it_is_seen_to(reader):
+    (harem, *_) = hear_description("harem pants", reader).drafts
+    assert ("leg_hem", "ankle") in harem.is_to_the_eye
+    (zouave, *_) = hear_description("zouave trousers", reader).drafts
+    assert ("leg_hem", "calf") in zouave.is_to_the_eye

@@ -36,6 +36,8 @@ _MAY_DRAG = ("trousers", "pull-on-trousers")
 _OVER_INSEAM_CM, _LONG_LEGS_CM = 33.3, (90.0, 118.0)
 """Length down the side over that of the inseam, and the lengths that are drafted so, cm."""
 _WIDE, _WIDE_CM = Claim("legs", "wide"), 30.0
+_BAGGY: Mapping[str, float] = {"hip_ease": 14.0, "leg_ease": 30.0, "flare": -4.0}
+"""Joggers with wide legs: they are baggy, and no harem trousers unless those are meant."""
 _LOOSE, _LOOSE_CM = Claim("hips", "loose"), 12.0
 
 
@@ -74,6 +76,8 @@ def _with_legs(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     if DRAFT_KINDS[draft.name] == "jumpsuit" or draft.name == _JOGGERS:
         for claim in claims:
             asked = _LEGS[str(claim.value)] if claim.name == "legs" and claim.value in known else {}
+            if claim == _WIDE and draft.name == _JOGGERS:
+                asked = {name: max(own, float(options.get(name, own))) for name, own in _BAGGY.items()}
             closer = float(options.get("leg_ease", _CLOSEST)) < _LEGS["slim"]["leg_ease"]
             options |= {} if claim == _SLIM and closer else asked
     if DRAFT_KINDS[draft.name] == "jumpsuit":

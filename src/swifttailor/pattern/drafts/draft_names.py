@@ -127,6 +127,8 @@ class NamedDraft:
             shown = (*shown, DROPPED)
         tiered = self.name == "mermaid-dress" and dict(self.options).get("tiers")
         shown = (*shown, *(_OF_TIERED_DRESSES if tiered else ()))
+        if float(dict(self.options).get("crotch_drop", 0.0)) >= LOW_CROTCH_CM:
+            shown = (*shown, LOW_CROTCH)
         curves = [CURVED_HEM] if dict(self.options).get(HEM_RISE, 0.0) else []
         return (*shown, *(["open_front"] if opens else ()), *(["stretch"] if stretches else ()), *curves)
 
@@ -157,7 +159,8 @@ class NamedDraft:
         options = dict(self.options)
         hem = (*(_OF_DIPS if options.get(HEM_DIP) else ()), *(_OF_ARCS if options.get(SCALLOPS) else ()))
         blousing = self.name == "joggers" and float(options.get("leg_ease", 0.0)) >= BLOUSING_CM
-        legs = (*(_OF_BLOUSING if blousing else ()), *(_OF_BOWS if options.get("bow") else ()))
+        ends = _blousing_ends(float(options.get("length", 98.0))) if blousing else ()
+        legs = (*(_OF_BLOUSING if blousing else ()), *ends, *(_OF_BOWS if options.get("bow") else ()))
         legs = (*legs, *self._tiers_to_the_eye)
         shown = (_OF_STANDS if stands else (), slits, falls, bib, broad, high, wings, hem, legs)
         return (*DRAFTS_ARE.get(self.name, ()), *[claim for claims in shown for claim in claims])
@@ -227,6 +230,7 @@ _OF_DIPS = (
 BLOUSING_CM = 30.0
 """With so much room at the knee, legs that end in cuffs hang over them."""
 _OF_BLOUSING = (("legs", "tapered"), ("legs", "wide"), ("hips", "loose"))
+_AT_THE_ANKLE_CM, _AT_THE_CALF_CM = 92.0, 70.0
 _OF_BOWS = (("legs", "slim"), ("legs", "tapered"), ("hips", "close"))
 """Jodhpurs are close below the knee and full above it."""
 _OF_ARCS = (("hem_shape", "scalloped"),)
@@ -292,6 +296,8 @@ DRAFTS_SHOW: Mapping[str, tuple[str, ...]] = {
 }
 """What a draft shows that no way to cut makes: keys of the lexicon's ``cannot.txt``. Where it
 names a shirt dress, that has its collar."""
+LOW_CROTCH, LOW_CROTCH_CM = "low_crotch", 7.0
+"""Key of it, and how far below the body's a crotch is that hangs low, cm."""
 STRETCHING = frozenset({"leggings", "bodysuit", "swimsuit", "briefs"})
 """Drafts that are for cloth that stretches unless their option says otherwise."""
 _COLLAR_KEYS = ("shirt_collar", "flat_collar")
@@ -349,3 +355,10 @@ STANDS_IN: Mapping[str, str] = {
     "polo-shirt": "The slit below its collar is closed, and has no buttons.",
 }
 """What a draft has in place of what cannot be made, for people."""
+
+
+def _blousing_ends(length: float) -> tuple[tuple[str, str], ...]:
+    """Where legs end when worn that are longer by what goes in to their cuffs; `length` in cm."""
+    if length >= _AT_THE_ANKLE_CM:
+        return (("leg_hem", "ankle"), ("leg_hem", "full"))
+    return (("leg_hem", "calf"),) if length >= _AT_THE_CALF_CM else ()
