@@ -27,7 +27,7 @@ from swifttailor.pattern.trims import TRIMS, Belt, Bow, Button, Frill, Patch, pl
 NAMES = (
     "denim-jacket", "trench coat", "trousers", "shirt-dress", "zipped hoodie", "hoodie", "dungarees",
     "joggers", "polo shirt", "suit", "puffer", "turned-up trousers", "tunic",
-    "dirndl", "blouse", "vest", "slip", "flapper dress",
+    "dirndl", "blouse", "vest", "pyjama bottoms", "slip", "flapper dress",
 )  # fmt: skip
 
 
