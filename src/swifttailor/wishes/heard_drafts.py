@@ -17,6 +17,7 @@ from swifttailor.wishes.drafts_as_asked import draft_as_asked
 from swifttailor.wishes.drafts_of_names import covers, draft_of_kind, draft_of_name
 from swifttailor.wishes.godets_as_asked import godets_as_asked
 from swifttailor.wishes.legs_by_words import ELASTIC, legs_as_said
+from swifttailor.wishes.opened_drafts import opened_as_asked
 from swifttailor.wishes.oversized_drafts import oversized_as_asked
 from swifttailor.wishes.refused_looks import as_not_refused
 from swifttailor.wishes.sailor_collars import asks_for_sailor_collar, with_sailor_collar
@@ -35,6 +36,7 @@ _NOT_TOLD = ("kind", "shoulders")
 """What goes with other claims: what has no sleeves covers both shoulders or none."""
 _AT_SHOULDERS = ("shoulders", "straps", "sleeves", "neckline", "collar", "hood")
 _BARE, _STAND, _TURTLENECK = Claim("shoulders", "strapless"), Claim("collar", "stand"), "turtleneck"
+_BARE_BACK = Claim("back_depth", "open")
 _NECKS = ("neckline", "collar", "hood", "straps")
 _CUT_AS = {"tunic": "top", "shorts": "trousers", "playsuit": "jumpsuit"}
 """Kinds that are drafted as others."""
@@ -73,7 +75,8 @@ def drafts_of(heard: Heard) -> tuple[NamedDraft, ...]:
     fitting = [tiers_as_asked(godets_as_asked(draft, sure), sure) for draft in fitting]
     closed = [closed_as_counted(draft, heard.text) for draft in fitting]
     wanted = {lack.what for lack in heard.lacks if lack.said}
-    found = dict.fromkeys([hem_as_asked(draft, sure, wanted, _denied(heard)) for draft in closed])
+    opened = [opened_as_asked(draft, sure, wanted) for draft in closed]
+    found = dict.fromkeys([hem_as_asked(draft, sure, wanted, _denied(heard)) for draft in opened])
     return tuple(sorted(found, key=lambda draft: wanted.isdisjoint(draft.shows)))
 
 
@@ -134,6 +137,8 @@ def _standing_necks(heard: Heard) -> list[Claim]:
 def _likely_bare(heard: Heard) -> list[Claim]:
     """That nothing covers the shoulders, where that is likely: a "fit and flare wedding dress"."""
     likely = [w.change.claim for w in heard.likely if isinstance(w.change, Gain)]
+    if _BARE_BACK in _told_claims(heard):  # the edge of a strapless one runs straight across the back
+        return []
     return [claim for claim in likely if claim == _BARE]
 
 

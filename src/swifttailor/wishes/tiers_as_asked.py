@@ -9,6 +9,7 @@ from swifttailor.describing.claims import Claim
 from swifttailor.pattern.drafts.draft_names import NamedDraft
 
 _TIERED, _CLOSE_SKIRT, _CLOSE_DRESS = "tiered-skirt", "mermaid-skirt", "mermaid-dress"
+_TO_BE_TIERED = (_CLOSE_SKIRT, "circle-skirt", "gathered-skirt")
 _IN_TIERS = frozenset({Claim("skirt", "tiered"), Claim("skirt", "gathered tiers")})
 _CLOSE = frozenset({Claim("skirt", "fitted base"), Claim("hips", "close")})
 _WIDE = frozenset(
@@ -54,7 +55,7 @@ def tiers_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
             return draft
         tiers = float(counts[0] if counts else own.get("tiers") or _CLOSE_TIERS)
         return replace(draft, options=tuple({**own, "tiers": tiers}.items()))
-    if draft.name not in (_TIERED, _CLOSE_SKIRT) or (draft.name == _CLOSE_SKIRT and not tiered):
+    if draft.name not in (_TIERED, *_TO_BE_TIERED) or (draft.name != _TIERED and not tiered):
         return draft
     ends = [_LENGTHS[str(c.value)] for c in claims if c.name == "skirt_hem" and c.value in _LENGTHS]
     stated = [float(c.value) for c in claims if c.name == "skirt_length_cm" and not isinstance(c.value, str)]

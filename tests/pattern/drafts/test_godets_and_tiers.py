@@ -76,6 +76,8 @@ def test_godets_are_let_in_where_they_are_asked_for(named, claims, begun):
         ),
         ("mermaid-skirt", [TIERED], "tiered-skirt(length=62;close=30;tiers=3)"),
         ("mermaid-skirt", [], "mermaid-skirt"),
+        ("circle-skirt(fraction=0.6)", [TIERED, FULL], "tiered-skirt(length=62;fullness=1.8)"),
+        ("circle-skirt", [FULL], "circle-skirt"),
         ("tiered-skirt", [TIERED, FULL], "tiered-skirt(length=62;fullness=1.8)"),
         ("mermaid-dress(close=50)", [TIERED], "mermaid-dress(close=50;tiers=3)"),
     ],

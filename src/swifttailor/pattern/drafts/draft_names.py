@@ -161,7 +161,8 @@ class NamedDraft:
         blousing = self.name == "joggers" and float(options.get("leg_ease", 0.0)) >= BLOUSING_CM
         ends = _blousing_ends(float(options.get("length", 98.0))) if blousing else ()
         legs = (*(_OF_BLOUSING if blousing else ()), *ends, *(_OF_BOWS if options.get("bow") else ()))
-        legs = (*legs, *self._tiers_to_the_eye)
+        long = self.name in _LONG_TOPS and float(options.get("length", 0.0)) >= LONG_TOP_CM
+        legs = (*legs, *self._tiers_to_the_eye, *(_OF_LONG_TOPS if long else ()))
         shown = (_OF_STANDS if stands else (), slits, falls, bib, broad, high, wings, hem, legs)
         return (*DRAFTS_ARE.get(self.name, ()), *[claim for claims in shown for claim in claims])
 
@@ -249,6 +250,8 @@ _OF_CLOSE_TIERS = (
     *[("skirt", value) for value in ("tiered", "gathered tiers", "fitted base")],
     ("hips", "close"),
 )
+LONG_TOP_CM, _LONG_TOPS, _OF_LONG_TOPS = 40.0, ("turtleneck", "t-shirt"), (("top_hem", "long"),)
+"""Tops that end so far below the waist are long ones, and may be longer: a kurta."""
 FULL_TIERS = 1.6
 """Tiers so many times as wide as those above them make a skirt that flares."""
 _OF_TIERED_DRESSES = ("frills",)

@@ -1,0 +1,40 @@
+"""Wide long garments that open in front and have sleeves like wings, where a text asks for those."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+
+from swifttailor.describing.claims import Claim
+from swifttailor.pattern.drafts.draft_names import NamedDraft
+
+_KAFTAN, _ROBE = "kaftan", "robe"
+_OPEN = "open_front"
+_APART_CM = 6.0
+"""How far the edges of an open one have moved back from the middle at the hem."""
+_FLARE_CM, _LONGEST_CM = 20.0, 100.0
+_BELL = Claim("sleeve_shape", "bell")
+_WINGS = {"arm_ease": 34.0, "sleeve_end": 70.0}
+"""Options of sleeves like wings, cm."""
+
+
+def opened_as_asked(draft: NamedDraft, claims: Sequence[Claim], wanted: Collection[str]) -> NamedDraft:
+    """A kaftan that is to open is cut as a robe; sleeves that are to widen are as wide as wings.
+
+    Args:
+        draft: As a table names it.
+        claims: What is asked for, all of it.
+        wanted: What the text itself asks for that no way to cut makes: keys of ``cannot.txt``.
+    """
+    if draft.name not in (_KAFTAN, _ROBE):
+        return draft
+    options = dict(draft.options)
+    name = draft.name
+    if name == _KAFTAN and _OPEN in wanted:
+        kept = ("length", "chest_ease", "sleeve_length", "sleeve_end", "arm_ease")
+        options = {key: value for key, value in options.items() if key in kept}
+        options |= {"flare": _FLARE_CM, "opening": _APART_CM, "neck_depth": 20.0}
+        options["length"] = min(float(options.get("length", _LONGEST_CM)), _LONGEST_CM)
+        name = _ROBE
+    if _BELL in claims:
+        options |= {key: max(float(options.get(key, 0.0)), least) for key, least in _WINGS.items()}
+    return draft if options == dict(draft.options) else NamedDraft(name, tuple(options.items()))
