@@ -241,3 +241,13 @@ def test_a_belt_slips_to_where_the_sewn_cloth_is_narrowest():
     garment = replace(garment, vertices=garment.vertices + np.array([0.0, -6.0, 0.0]))  # it hangs lower
     lower = trim_meshes(garment)[0].vertices
     assert band[:, 1].mean() - lower[:, 1].mean() == pytest.approx(6.0, abs=2.0)
+
+
+def test_stirrups_run_from_the_ends_of_the_legs_under_the_feet():
+    garment = with_trims(worn("jeans"), "stirrups")
+    straps = trim_meshes(garment)
+    assert len(straps) == 2
+    for strap, side in zip(straps, (1, -1), strict=True):
+        assert strap.vertices[:, 1].min() < 0.0 < strap.vertices[:, 1].max()
+        assert (side * strap.vertices[:, 0]).min() > 0.0
+        assert areas(strap).min() > 0.1

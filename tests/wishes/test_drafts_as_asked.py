@@ -57,6 +57,11 @@ SLITS = [Claim("slit", "left"), Claim("slit", "right")]
         ("off-shoulder-dress", [BARE], "off-shoulder-dress(waist_seam=true)"),
         ("off-shoulder-dress", [BARE, LOOSE], "off-shoulder-dress"),
         (
+            "strapless-dress",
+            [Claim("back_depth", "open"), Claim("skirt_hem", "floor"), Claim("slit", "left")],
+            "halter-dress(length=100;skirt_fraction=0.35)",
+        ),
+        (
             "off-shoulder-dress",
             [BARE, Claim("skirt_hem", "floor")],
             "off-shoulder-dress(length=100;waist_seam=true;skirt_fraction=0.7)",

@@ -27,6 +27,7 @@ def stated(text, kind):
         ("skirt, fitted to the thigh, 75 cm", "skirt", {"skirt_length_cm": 75}),
         ("three tiers: 20, 25, 30", "skirt", {"tiers": 3}),
         ("boat neck 28 cm across", "top", {}),
+        ("skirt with six godets, 75 cm long", "skirt", {"godets": 6, "skirt_length_cm": 75}),
         ("the neckline a square one, exactly 16 cm deep from the shoulder", "dress", {"neck_depth_cm": 16}),
         ("bodice with the back cut in a v, 12 inches deep", "top", {"back_depth_cm": 30.48}),
         ("a 16 cm deep square neckline", "dress", {"neck_depth_cm": 16}),

@@ -53,6 +53,7 @@ def test_what_is_wanted_first(text, kind, first):
     [
         ("dirndl dress", {"apron", "lacing"}),
         ("a waitress uniform", {"button placket"}),
+        ("a dress with an apron", {"apron"}),
         ("formal trousers", {"side pockets", "fly", "creases"}),
         ("a cheongsam", {"diagonal closing"}),
         ("hakama", {"pleat lines", "waist bow"}),

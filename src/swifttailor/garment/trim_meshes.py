@@ -13,10 +13,11 @@ from swifttailor.arrays import Array, Floats, Ints
 from swifttailor.garment.cloth_print import flat_places
 from swifttailor.garment.trim_decorations import bow_meshes, frill_meshes
 from swifttailor.garment.trim_pieces import AROUND, TrimMesh, ball, front_of
+from swifttailor.garment.trim_stirrups import stirrup_mesh
 from swifttailor.garment.trunk_cloth import around_trunk
 from swifttailor.pattern.trims.names import COUNTED
 from swifttailor.pattern.trims.placing import place_trims
-from swifttailor.pattern.trims.shapes import Belt, Bow, Button, Frill, Patch, Trim
+from swifttailor.pattern.trims.shapes import Belt, Bow, Button, Frill, Patch, Stirrup, Trim
 
 if TYPE_CHECKING:
     from swifttailor.garment.garment import Garment
@@ -67,6 +68,9 @@ def trim_meshes(garment: Garment) -> list[TrimMesh]:
             found += _belt(garment, piece)
         elif isinstance(piece, Button):
             found.append(_button(garment, piece))
+        elif isinstance(piece, Stirrup):
+            strap = stirrup_mesh(garment, piece)
+            found += [] if strap is None else [strap]
         elif isinstance(piece, Frill):
             found += frill_meshes(garment, piece)
         elif isinstance(piece, Bow):

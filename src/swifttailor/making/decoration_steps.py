@@ -38,6 +38,11 @@ _OTHERS: Mapping[str, tuple[str, str]] = {
         "Cut a band of 120 by 12 cm, fold it lengthwise, sew around it but for a gap, and turn it. Tie it, "
         "and fasten its knot to the middle of the waist.",
     ),
+    "stirrups": (
+        "Straps under the feet",
+        "Cut two bands of 24 by 8 cm, fold each lengthwise, sew along it and turn it. Sew its ends under the "
+        "end of each leg, at the inner and the outer seam.",
+    ),
     "lacing": (
         "Lacing",
         "Set eyelets at the outer ends of the marked lines, and lace a cord of 2 m through them.",

@@ -11,6 +11,12 @@ from swifttailor.wishes.held_drafts import CIRCLES
 
 _ON_STRAPS, _THIN = ("camisole", "strappy-dress", "strappy-jumpsuit"), Claim("straps", "narrow")
 _THIN_CM = 1.2
+_STRAPLESS, _OPEN_BACK, _BARE = (
+    "strapless-dress",
+    Claim("back_depth", "open"),
+    Claim("shoulders", "strapless"),
+)
+_SLIT_FRACTION, _HALTER_CM = 0.35, 98.0
 _DRAFT = "off-shoulder-dress"
 _HANGS = frozenset(
     {
@@ -49,6 +55,8 @@ def bared_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
         draft: As a table names it; what that sets stays.
         claims: What is asked for, all of it.
     """
+    if draft.name == _STRAPLESS and _OPEN_BACK in claims and _BARE not in claims:
+        return _held_behind_the_neck(draft, claims)
     own = dict(draft.options)
     if draft.name in _ON_STRAPS and _THIN in claims and STRAP_WIDTH in own:
         thin = min(float(own[STRAP_WIDTH]), _THIN_CM)
@@ -66,3 +74,15 @@ def bared_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
         if shapes or long:
             options["skirt_fraction"] = max(shapes, default=_FULL)
     return replace(draft, options=tuple({**options, **own}.items()))
+
+
+def _held_behind_the_neck(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
+    """A halter dress: the edge of a strapless one runs straight across the back that is to be bare."""
+    own = dict(draft.options)
+    ends = [_LENGTHS[str(c.value)] for c in claims if c.name == "skirt_hem" and c.value in _LENGTHS]
+    options = {"length": [*ends, float(own.get("skirt_length", _HALTER_CM))][0]}
+    if any(claim.name == "slit" for claim in claims):
+        options["skirt_fraction"] = _SLIT_FRACTION
+    elif "skirt_fraction" in own:
+        options["skirt_fraction"] = float(own["skirt_fraction"])
+    return NamedDraft("halter-dress", tuple(options.items()))

@@ -9,8 +9,8 @@ from swifttailor.pattern.drafts.draft_names import NamedDraft
 
 _KAFTAN, _ROBE = "kaftan", "robe"
 _OPEN = "open_front"
-_APART_CM = 6.0
-"""How far the edges of an open one have moved back from the middle at the hem."""
+_APART_CM, _OPEN_CM = 10.0, 70.0
+"""How far the edges of an open one have moved back from the middle at the hem, and how far up, cm."""
 _FLARE_CM, _LONGEST_CM = 20.0, 100.0
 _BELL = Claim("sleeve_shape", "bell")
 _WINGS = {"arm_ease": 34.0, "sleeve_end": 70.0}
@@ -32,7 +32,7 @@ def opened_as_asked(draft: NamedDraft, claims: Sequence[Claim], wanted: Collecti
     if name == _KAFTAN and _OPEN in wanted:
         kept = ("length", "chest_ease", "sleeve_length", "sleeve_end", "arm_ease")
         options = {key: value for key, value in options.items() if key in kept}
-        options |= {"flare": _FLARE_CM, "opening": _APART_CM, "neck_depth": 20.0}
+        options |= {"flare": _FLARE_CM, "opening": _APART_CM, "neck_depth": 20.0, "front_slit": _OPEN_CM}
         options["length"] = min(float(options.get("length", _LONGEST_CM)), _LONGEST_CM)
         name = _ROBE
     if _BELL in claims:

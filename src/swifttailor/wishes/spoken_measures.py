@@ -63,6 +63,7 @@ _BOUNDS = {
 _USUAL = (1.0, 400.0)
 _LONGEST = {"skirt_length_cm": 130.0, "length_cm": 170.0}
 _HEM = re.compile(r"(?<!\w)(?:hem|hemline|sweep|saum|ourlet|bajo|orlo|zoom|bainha)(?!\w)", re.IGNORECASE)
+_JUST_LONG = re.compile(r"[\d.,]+ ?\S+ (?:long|in length|lang|longue?|de long|de largo|lung[ao])")
 _LOWER = frozenset({"skirt", "trousers", "shorts"})
 
 
@@ -235,6 +236,8 @@ def _said_of(
     piece = text[start if comma < 0 else comma + 1 : end].strip(" .,!?")
     if comma >= 0 and piece == text[mention.start : mention.end]:
         near = [one for one in near if one[1] != "none"]  # "fitted to the thigh, 75 cm" measures no thigh
+    if comma >= 0 and _JUST_LONG.fullmatch(piece, piece.find(text[mention.start : mention.end])):
+        near = [one for one in near if one[1] != "godet_cm"]  # "with six godets, 75 cm long"
     if not near:
         alone = mention.is_length and len(re.findall(r"[^\W\d_]{3,}", piece)) <= 2
         if alone and kind in ("skirt", "dress", "top", "tunic") and mention.value >= 20:

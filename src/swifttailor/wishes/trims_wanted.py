@@ -38,6 +38,7 @@ TRIMS_OF: Mapping[str, tuple[str, ...]] = {
     "fringe": ("hem fringe",),
     "apron": ("apron",),
     "creases": ("creases",),
+    "stirrups": ("stirrups",),
     "pleats": ("pleat lines",),
     "asymmetric_closing": ("diagonal closing",),
 }
@@ -98,7 +99,7 @@ def trims_wanted(heard: Heard, draft: str = "", kind: str = "") -> tuple[TrimWis
     for lack in heard.lacks:
         can = TRIMS_OF.get(lack.what, ())
         own = tuple([name for name in _of_garment(heard) if name in can])
-        if not lack.said and lack.what in _SAID_ALONE and not own:
+        if not lack.said and lack.what in _SAID_ALONE and not own and not _is_worn_beside(heard, lack.what):
             can = ()
         said = tuple([name for name in named if name in can])
         choices = _usual(lack.what, kind, heard.cloth, draft) if can else ()
@@ -125,6 +126,13 @@ def _is_knitted(heard: Heard, draft: str) -> bool:
         name in _named(heard) for group in LIKE_EACH_OTHER if "neck frill" in group for name in group
     )
     return not dressed and (draft == "sweatshirt" or heard.cloth in _KNITS)
+
+
+def _is_worn_beside(heard: Heard, what: str) -> bool:
+    """Whether the text itself names a garment of that name: a skirt with an apron."""
+    marks = () if heard.words is None else heard.words.marks
+    named = [entry for mark in marks if not mark.denied for entry in mark.entries]
+    return any(draft.name == what for entry in named for draft in entry.drafts)
 
 
 def refused_trims(heard: Heard) -> frozenset[str]:

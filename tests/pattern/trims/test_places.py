@@ -66,6 +66,7 @@ SHOULD_HAVE = {
     "apron": ("skater-dress", "gathered-skirt", "circle-skirt"),
     "creases": TROUSERS[:4],
     "pleat lines": ("trousers", "pull-on-trousers"),
+    "stirrups": ("leggings", "trousers"),
     "diagonal closing": ("fitted-dress", "turtleneck", "shirt"),
 }
 CHILDREN = (60.0, 92.0, 110.0, 128.0, 152.0)

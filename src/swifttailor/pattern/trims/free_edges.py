@@ -56,6 +56,19 @@ def sleeve_ends(pattern: Pattern) -> tuple[EdgeRef, ...]:
     return tuple([ref for ref, _ in _free(pattern) if _is_of_sleeve(ref.panel)])
 
 
+def leg_ends(pattern: Pattern, side: str) -> tuple[tuple[EdgeRef, ...], float]:
+    """Free edges at the end of one leg, or of its cuff, and how high the lowest of them lies, cm.
+
+    Args:
+        pattern: Any pattern.
+        side: ``l`` or ``r``, the wearer's.
+    """
+    own = [(r, p) for r, p in _free(pattern) if r.panel.startswith("pant_") and side in r.panel.split("_")]
+    low = min([float(points[:, 1].mean()) for _, points in own], default=0.0)
+    level = [ref for ref, points in own if points[:, 1].mean() < low + _HEM_CM and _is_level(points)]
+    return tuple(level), low
+
+
 def hem_edges(pattern: Pattern) -> tuple[EdgeRef, ...]:
     """Free edges along the hem of a skirt, dress or top; none of trousers."""
     if any(panel.name.startswith("pant_") for panel in pattern.panels):

@@ -49,6 +49,7 @@ TRIMS: Mapping[str, str] = {
     "apron": "an apron in front",
     "creases": "pressed creases down the legs",
     "pleat lines": "pressed pleats down the legs",
+    "stirrups": "straps under the feet",
     "diagonal closing": "a closing from the neck to the armhole",
 }
 """By name, what each is for people. None joins panels, so none changes how a garment is cut or hangs."""

@@ -17,6 +17,7 @@ from swifttailor.pattern.trims import (
 from swifttailor.pattern.trims.chalk import Chalk
 from swifttailor.pattern.trims.diagonal_closing import diagonal_closing
 from swifttailor.pattern.trims.shapes import Trim
+from swifttailor.pattern.trims.stirrups import stirrups
 
 _PLACES: Mapping[str, Callable[[Chalk, str], list[Trim]]] = {
     "buttons": fastenings.buttons,
@@ -60,6 +61,7 @@ _PLACES: Mapping[str, Callable[[Chalk, str], list[Trim]]] = {
     "apron": decorations.apron,
     "creases": pressed_lines.creases,
     "pleat lines": pressed_lines.pleat_lines,
+    "stirrups": stirrups,
     "diagonal closing": diagonal_closing,
 }
 """How each of `names.TRIMS` is marked."""

@@ -88,4 +88,15 @@ class Bow:
     """Length of the ends, cm."""
 
 
-Trim = Patch | Button | Belt | Frill | Bow
+@dataclass(frozen=True)
+class Stirrup:
+    """A strap from the end of a leg under the foot."""
+
+    trim: str
+    edges: tuple[EdgeRef, ...]
+    """Free edges of panels at the end of one leg, in any order."""
+    width: float
+    """cm."""
+
+
+Trim = Patch | Button | Belt | Frill | Bow | Stirrup
