@@ -57,6 +57,18 @@ def _months() -> re.Pattern[str]:
     )
 
 
+@cache
+def _lone() -> re.Pattern[str]:
+    """A bare number beside a child: "my son (11)", "my grandson is 3"."""
+    return re.compile(
+        rf"(?<!\w){any_of('figures', 'children')}\s*(?:is|ist|[,(])\s*(?P<age>1[0-3]|[1-9])"
+        r"(?=\s*(?:[,.;)!?]|$))",
+        re.IGNORECASE,
+    )
+
+
+_TODDLERS = re.compile(r"(?<![\w-])(?P<age>[2-6])T(?![\w-])")
+"""American sizes of small children."""
 _OLD = re.compile(r"old|alt|jährig|ans|años|anni|yo|y/o|yrs?$|y\.o", re.IGNORECASE)
 _CLAUSE_ENDS = re.compile(
     r"^\s*(?:[,.;:!?)/]|$|(?:boy|girl|junge|mädchen|child|kid|slim|tall)(?!\w))", re.IGNORECASE
@@ -88,6 +100,14 @@ def hear_age(said: SaidBody, *, child: bool) -> None:
         said.is_baby = True
         said.notes.append(BABY.format(tall=98))
         return
+    lone = (_lone().search(said.text) if child else None) or _TODDLERS.search(said.text)
+    if lone is not None:
+        word = lone.groupdict().get("age") or "2"
+        said.age = int(word)
+        end = lone.end() if lone.re is _TODDLERS else lone.end("age")
+        said.text = f"{said.text[: lone.start('age')]} {said.text[end:]}"
+        _note_small(said)
+        return
     for match in _years().finditer(said.text):
         word = match["aged"] or match["age"]
         age = _NUMBER_WORDS.get(word.lower()) or (int(word) if word.isdigit() else 0)
@@ -97,10 +117,14 @@ def hear_age(said: SaidBody, *, child: bool) -> None:
         if child or named or _ends(said, match):
             said.age = age
             said.take(match)
-            if age < 3:
-                said.is_baby = True
-                said.notes.append(BABY.format(tall=98))
+            _note_small(said)
             return
+
+
+def _note_small(said: SaidBody) -> None:
+    if said.age is not None and said.age < 3:
+        said.is_baby = True
+        said.notes.append(BABY.format(tall=98))
 
 
 def _ends(said: SaidBody, match: re.Match[str]) -> bool:

@@ -85,15 +85,17 @@ _FRENCH_BANDS = re.compile(
 _LEGS = r"jeans?|trousers|pants|chinos?|slacks|hosen?|pantal[oó]n(?:es)?|pantalons?|vaqueros?|jogg\w+|cords?"
 _WAIST_LEG = re.compile(
     r"(?<![\w])w\s?(?P<w>\d{2})\s*[-/,x×]?\s*l\s?(?P<l>\d{2})(?![\d])"
-    r"|(?<![\w.,/])(?P<w2>2[4-9]|[345]\d|60)\s?[x×/]\s?(?P<l2>2[6-9]|3[0-8])(?![\w/.,]|\s*(?:cm|mm|in)\b)",
+    r"|(?<![\w.,/])(?P<w2>2[4-9]|[345]\d|60)\s?"
+    r"(?P<by>[-x×/])\s?(?P<l2>2[6-9]|3[0-8])(?![\w/.,]|\s*(?:cm|mm|in)\b)",
     re.IGNORECASE,
 )
+_INCH_LEG = re.compile(r"(?<![\w.,])(2[4-9]|3\d) ?(?:-| )?(?:inch(?:es)?|in|\"|”) legs?(?!\w)", re.IGNORECASE)
 _OF_LEGS = re.compile(rf"(?<!\w)\w*(?:{_LEGS})(?!\w)", re.IGNORECASE)
 _TAILLE = re.compile(r"3[2-9]|[45]\d|60")
 """Behind "taille" these are sizes of clothes in French, not girths."""
 _SUIT = re.compile(
     r"(?:(?<!\w)(?i:size)\s+)?(?<![\w.,-])(?P<chest>3[4-9]|[45]\d|60)(?:(?P<letter>R|L|S)(?![\w-])"
-    r"|\s?-?\s?(?P<word>(?i:regular|reg))(?!\w)|\s(?P<long>(?i:long|short))(?=\s*(?:[,.;!?)]|$)))"
+    r"|\s?-?\s?(?P<word>(?i:regular|reg))(?!\w)|\s(?P<long>(?i:long|short))(?=\s*(?:[,.;!?)]|$|(?i:suit|blazer|jacket|tux\w*)(?!\w))))"
 )
 _SUIT_HEIGHTS = {"r": 178.0, "l": 187.0, "s": 169.0}
 """Of the wearers of regular, long and short jackets, cm."""
@@ -110,10 +112,16 @@ def hear_girths(said: SaidBody, *, child: bool = False) -> None:
         child: Whether a child is spoken of.
     """
     _hear_waist_and_leg(said)
+    if _OF_LEGS.search(said.text):
+        said.text = _INCH_LEG.sub(_in_cm, said.text)
     _hear_triple(said)
     _hear_suit(said)
     _hear_bra(said)
     _hear_named(said, child)
+
+
+def _in_cm(found: re.Match[str]) -> str:
+    return f"inside leg {float(found[1]) * CM_PER_INCH:.0f} cm"
 
 
 def _hear_named(said: SaidBody, child: bool) -> None:
@@ -176,7 +184,8 @@ def _row() -> re.Pattern[str]:
     three = r"\s*[,;:/–-]?\s*".join(r"(\d{2,3}(?:[.,]5)?)" for _ in _MAIN)
     letters = r"(?<!\w)b\s*[:=]?\s*(\d{2,3})\W{0,3}w\s*[:=]?\s*(\d{2,3})\W{0,3}h\s*[:=]?\s*(\d{2,3})(?!\d)"
     return re.compile(
-        rf"(?<!\w){any_of('girths', 'row')}(?:\s+(?:are|sind|sont|son))?\s*[:=]?\s*{three}(?!\d)|{letters}",
+        rf"(?<!\w){any_of('girths', 'row')}(?:\s+(?:are|sind|sont|son))?\s*[:=]?\s*{three}(?!\d)(?:\s?cm\b)?"
+        rf"|{letters}",
         re.IGNORECASE,
     )
 
@@ -217,6 +226,8 @@ def _hear_waist_and_leg(said: SaidBody) -> None:
         if plain and not _OF_LEGS.search(said.text):
             continue
         waist, leg = float(match["w"] or match["w2"]), float(match["l"] or match["l2"])
+        if match["by"] == "-" and waist < leg:
+            continue  # a run of sizes
         if waist >= 24 and 24 <= leg <= 40:
             said.measures["waist"] = waist * CM_PER_INCH
             said.take(match, f", inside leg {leg * CM_PER_INCH:.0f} cm,")
@@ -227,6 +238,8 @@ def _hear_suit(said: SaidBody) -> None:
     match = _SUIT.search(said.text)
     if match is None:
         return
+    if match[0].lower().startswith("size") and re.match(r"\s*\w", said.text[match.end() :]):
+        return  # "size 40 short jacket"
     length = (match["letter"] or match["word"] or match["long"]).lower()[0]
     chest = float(match["chest"])
     said.measures |= {"bust": chest * CM_PER_INCH, "height": _SUIT_HEIGHTS[length]}

@@ -10,7 +10,7 @@ from swifttailor.wishes.body_words import any_of
 
 _METRES = (
     r"(?P<m>[12][.,]\d{1,2})(?!\d)(?:\s?(?:m|metros?|mètres?|meter|metres?|mt)\b)?"
-    r"|(?P<m1>[12])\s?m\s?(?P<c1>\d{2})(?!\d)"
+    r"|(?P<m1>[12])\s?(?:m|metros?|mètres?|meter)\s?(?P<c1>\d{2})(?!\d)"
 )
 _SHORTEST, _TALLEST = 140.0, 215.0
 """Of grown people, cm: numbers beyond them without words for the height are none."""
@@ -20,9 +20,9 @@ _KG = (25.0, 260.0)
 
 @cache
 def _led() -> re.Pattern[str]:
-    lead, after, garment = (any_of("heights", key) for key in ("lead", "after", "garment"))
+    lead, people, after, garment = (any_of("heights", key) for key in ("lead", "people", "after", "garment"))
     return re.compile(
-        rf"(?<![\w-])(?:(?P<lead>{lead})[\s:=]+(?:(?:is|ist|de|of|about|around|von|circa|ca\.?|etwa|environ)\s+)*"
+        rf"(?<![\w-])(?:(?:(?P<lead>{lead})[\s:=]+|{people}\s*[,(:]?\s+)(?:(?:is|ist|de|of|about|around|von|circa|ca\.?|etwa|environ)\s+)*"
         rf"(?:{_METRES}|(?P<cm>\d{{3}})(?!\d|[.,]\d)(?:\s?cm\b)?)"
         rf"(?!\w|\s*(?:kg|kilos?|lbs?|{garment})(?!\w))(?:\s+{after}(?!\w))?)",
         re.IGNORECASE,
@@ -41,7 +41,8 @@ def _followed() -> re.Pattern[str]:
 def _bare() -> re.Pattern[str]:
     garment = any_of("heights", "garment")
     return re.compile(
-        r"(?<![\w.,-])(?:(?P<m>1[.,]\d{2})(?!\d)\s?m\b|(?P<m1>1)\s?m\s?(?P<c1>\d{2})(?!\d))(?!\s*(?:cm\b)?\s*"
+        r"(?<![\w.,-])(?:(?P<m>1[.,]\d{2})(?!\d)\s?m\b|(?P<m1>1)\s?(?:m|metros?|mètres?|meter)\s?(?P<c1>\d{2})(?!\d)"
+        r"|(?:(?<=^)|(?<=[,;(])|(?<=[,;(]\s))(?P<alone>1[.,][4-9]\d)(?=\s*(?:[,;)]|\.(?!\d)|$)))(?!\s*(?:cm\b)?\s*"
         rf"{garment}(?!\w))",
         re.IGNORECASE,
     )
@@ -84,7 +85,9 @@ def hear_height(said: SaidBody) -> None:
         for match in pattern.finditer(said.text):
             groups = match.groupdict()
             tall = float(groups.get("cm") or 0.0)
-            if groups.get("m"):
+            if groups.get("alone"):
+                tall = 100.0 * number(groups["alone"])
+            elif groups.get("m"):
                 tall = 100.0 * number(groups["m"])
             elif groups.get("m1"):
                 tall = 100.0 * float(groups["m1"]) + float(groups["c1"])

@@ -35,6 +35,8 @@ _GARMENT = (
     r"(?:collar|kragen|neck|shoe|shoes|boots?|hat|needles?|buttons?|zips?|belt|ring|print|font|schuh\w*)"
 )
 _BABY_SIZES = range(44, 98, 6)
+_PLUS = re.compile(r"(?<![\w-])(?P<letter>[1-6]x)(?![\w-])", re.IGNORECASE)
+"""Beside "plus size"."""
 _RANGES_END = 50
 """Runs of sizes that end below are those of a shop ("size 8-16"), not a child's of two ("98/104")."""
 _SHORT_CM = {"women": 160.0}
@@ -102,7 +104,7 @@ def hear_size(said: SaidBody, figure: str | None, *, child: bool = False) -> Non
     if weak is not None:
         _take_number(said, weak, int(weak["number"]), _of_language(weak[0]), figure, child)
         return
-    match = _BY_LETTER.search(said.text)
+    match = _BY_LETTER.search(said.text) or (_PLUS.search(said.text) if said.build == "plus" else None)
     if match is not None:
         _take_letter(said, match, match["letter"], figure)
 
@@ -110,7 +112,7 @@ def hear_size(said: SaidBody, figure: str | None, *, child: bool = False) -> Non
 def _is_meant(match: re.Match[str], said: SaidBody) -> bool:
     if match["number"] is None:
         return True
-    if match["to"] and int(match["to"]) < _RANGES_END:
+    if match["to"] and int(match["to"]) < _RANGES_END and int(match["to"]) - int(match["number"]) != 2:
         return False
     if re.fullmatch(any_of("sizes", "french"), match["size"], re.IGNORECASE):
         # A "taille" of the 60s and more is a waist; where other girths are given it was read before.
@@ -162,7 +164,7 @@ def _take_number(
     elif region in ("UK", "US"):
         chart_of = region
     else:
-        chart_of = "EU" if value >= 34 or german else "UK"
+        chart_of = "EU" if value >= 34 or german else "UK" if value > 2 else "US"
     if match.groupdict().get("wide"):
         chart_of = "US"
     chart = charts()["men" if figure == "men" else "women", chart_of]

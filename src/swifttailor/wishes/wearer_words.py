@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from swifttailor.body.size_charts import find_size
@@ -92,11 +92,9 @@ def hear_wearer(text: str, *, instruction: bool = False) -> HeardWearer:
     child = "children" in (figure, spoken_figure(text)) and not _GROWN.search(text)
     hear_age(said, child=child)
     child = child or said.age is not None or said.is_baby
-    for pattern, take in _PHRASES:
-        match = pattern.search(said.text)
-        if match is not None and take(match, said):
-            said.take(match)
+    _hear_phrases(said, _HEIGHTS)
     hear_height(said)
+    _hear_phrases(said, _KINDS)
     if not instruction:
         hear_girths(said, child=child)
         hear_legs(said)
@@ -114,6 +112,13 @@ def hear_wearer(text: str, *, instruction: bool = False) -> HeardWearer:
     rest = re.sub(r"\s+([,.;])", r"\1", " ".join(rest.split()))
     rest = re.sub(r"(?:[,;]\s*)+(?=[,;.]|$)", "", rest).strip(" ,;")
     return HeardWearer(wearer, hidden.shown(rest), tuple(said.notes))
+
+
+def _hear_phrases(said: SaidBody, phrases: Sequence[tuple[re.Pattern[str], _Take]]) -> None:
+    for pattern, take in phrases:
+        match = pattern.search(said.text)
+        if match is not None and take(match, said):
+            said.take(match)
 
 
 def _with_metric_heights(text: str) -> str:
@@ -228,7 +233,7 @@ def _compiled(pattern: str, take: _Take) -> tuple[re.Pattern[str], _Take]:
 
 
 _WHO = rf"(?:(?:for\s+)?(?:an?\s+|my\s+)?(?:{_ANYBODY})\s+)?"
-_PHRASES = [
+_HEIGHTS = [
     _compiled(
         rf"{_WHO}\b(?:who (?:is|am)\s+|of\s+|is\s+|am\s+)?"
         r"(?:(?P<cm>\d{2,3})\s*cm|(?P<m>[12]\.\d{1,2})\s*m)\s+"
@@ -244,10 +249,13 @@ _PHRASES = [
         r"(?:\bwith\s+)?(?:\ban?\s+)?\b(?:height|stature)\s*(?:of|is|:|=)?\s*(?:(?P<cm>\d{3})(?:\s*cm)?|(?P<m>[12]\.\d{1,2})\s*m)\b",
         _height,
     ),
+]
+"""What English says of heights, in this order; each phrase once."""
+_KINDS = [
     _compiled(rf"\bfor\s+(?:an?\s+|my\s+)?(?P<kind>{_TALL_OR})\s+(?:{_ANYBODY})\b", _kind),
     _compiled(
         r"(?:\bin\s+)?(?<![\w-])(?P<kind>petite|plus[- ]sized?|curvy)\b(?:\s+(?:figure|woman|women|lady))?",
         _kind,
     ),
 ]
-"""What English says of heights and builds, in this order; each phrase once."""
+"""What English says of builds."""
