@@ -7,6 +7,7 @@ from dataclasses import replace
 import pytest
 
 from swifttailor.body import Body
+from swifttailor.body.wearer import Wearer
 from swifttailor.pattern.drafts import draft
 from swifttailor.pattern.drafts.draft_names import NamedDraft
 from swifttailor.tailor.answer import Answer
@@ -32,6 +33,20 @@ def test_wings_are_drafted_for_the_body_and_keep_what_is_put_on(wearer):
     wanted = draft("t-shirt", measurements=wearer.measurements, armhole="cut-in-one", sleeve_length=50.0)
     assert made.pattern.panels == wanted.panels and made.pattern.trims == ("tie belt",)
     assert made.fitted_to == "other"
+
+
+@pytest.mark.parametrize(("sleeve", "anew"), [(22.0, True), (60.0, False)])
+def test_short_sleeves_of_very_large_bodies_are_drafted_for_them(monkeypatch, sleeve, anew):
+    monkeypatch.setattr(
+        "swifttailor.refitting.refitted.fit", lambda pattern, body: replace(pattern, name="fit")
+    )
+    body = Wearer(size="women EU 60").body()
+    begun = DraftCandidate(NamedDraft("t-shirt", (("sleeve_length", sleeve),)), 0, plain=True)
+    made = refitted(Answer(begun.take().pattern, draft=begun.name, drafted=begun), body).pattern
+    assert (made.name == "fit") is not anew
+    if anew:
+        wanted = draft("t-shirt", measurements=body.measurements, sleeve_length=sleeve)
+        assert made.panels == wanted.panels and made.drafted_for == body.made_for
 
 
 @pytest.mark.parametrize(("armhole", "cuts"), [("raglan", ()), ("cut-in-one", ("hem 4.0 cm shorter",))])

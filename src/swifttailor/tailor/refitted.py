@@ -8,12 +8,16 @@ from swifttailor.body import Body
 from swifttailor.pattern import Pattern
 from swifttailor.tailor.answer import Answer
 
+_LARGE, _SHORT_CM = 1.3, 30.0
+"""Times the bust of the default body; sleeves, shoulder tip to end."""
+
 
 def refitted(answer: Answer, body: Body) -> Answer:
     """An answer with its pattern refitted to a body; as it is where it was drafted for that body.
 
-    Sleeves that are cut in one with the body would grow as the trunk does and point past the arms: where
-    nothing else was cut, such a pattern is drafted anew.
+    Sleeves that are cut in one with the body would grow as the trunk does and point past the arms, and short
+    ones of very large bodies would grow by a third and fold under on the shoulders: where nothing else was
+    cut, such a pattern is drafted anew.
 
     Raises:
         SwiftTailorError: Its pattern cannot be sewn, or the body cannot be measured.
@@ -26,10 +30,21 @@ def refitted(answer: Answer, body: Body) -> Answer:
     return replace(answer, pattern=pattern, prepared=None, fitted_to=body.name)
 
 
+def _outgrows_short_sleeves(pattern: Pattern, body: Body) -> bool:
+    """Whether a pattern has short sleeves set into armholes, and the body is very much larger than it."""
+    from swifttailor.describing.measuring import measure_facts
+
+    if body.measurements.bust < _LARGE * Body.default().measurements.bust:
+        return False
+    facts = measure_facts(pattern)
+    sleeves = [one for one in (facts.left_sleeve, facts.right_sleeve) if one is not None]
+    return len(sleeves) == 2 and all(one.length <= _SHORT_CM for one in sleeves)
+
+
 def _drafted_anew(answer: Answer, body: Body) -> Pattern | None:
     """The draft of an answer, made for a body; None where it is to be refitted."""
     begun = answer.drafted
-    if begun is None or not begun.has_wings or answer.cuts:
+    if begun is None or answer.cuts or not (begun.has_wings or _outgrows_short_sleeves(answer.pattern, body)):
         return None
     made = begun.made_for(body.measurements)
     if [panel.name for panel in made.panels] != [panel.name for panel in answer.pattern.panels]:
