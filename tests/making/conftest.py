@@ -60,6 +60,9 @@ TRIMMED = {
     "vest": ("tank-top", ("neck rib", "armhole ribs", "hem rib")),
     "pyjama bottoms": ("pull-on-trousers", ("elastic waist",)),
     "slip": ("fitted-dress", ("lace trim", "waist bow")),
+    "suit trousers": ("trousers", ("fly", "creases", "stirrups")),
+    "hakama": ("pull-on-trousers", ("pleat lines",)),
+    "cheongsam": ("fitted-dress", ("diagonal closing",)),
     "flapper dress": ("drop-waist-dress", ("hem fringe", "neck cord")),
 }
 """Name of a draft and what is put on it: between them all trims that there are."""

@@ -22,12 +22,23 @@ from swifttailor.making.piece_drawing import draw_piece
 from swifttailor.making.size_run import size_run
 from swifttailor.making.trim_drawing import shown_marks
 from swifttailor.pattern.drafts import draft
-from swifttailor.pattern.trims import TRIMS, Belt, Bow, Button, Frill, Patch, place_trims, trims_that_fit
+from swifttailor.pattern.trims import (
+    TRIMS,
+    Belt,
+    Bow,
+    Button,
+    Frill,
+    Patch,
+    Stirrup,
+    place_trims,
+    trims_that_fit,
+)
 
 NAMES = (
     "denim-jacket", "trench coat", "trousers", "shirt-dress", "zipped hoodie", "hoodie", "dungarees",
     "joggers", "polo shirt", "suit", "puffer", "turned-up trousers", "tunic",
-    "dirndl", "blouse", "vest", "pyjama bottoms", "slip", "flapper dress",
+    "dirndl", "blouse", "vest", "pyjama bottoms", "slip", "suit trousers", "hakama", "cheongsam",
+    "flapper dress",
 )  # fmt: skip
 
 
@@ -57,7 +68,7 @@ def test_marks_lie_where_the_pattern_has_them(trimmed, trimmed_plans, name):
     trims = place_trims(pattern)
     assert {trim.trim for trim in trims} == set(pattern.trims)
     for trim in trims:
-        if isinstance(trim, Belt | Frill | Bow):  # which no mark on a panel tells
+        if isinstance(trim, Belt | Frill | Bow | Stirrup):  # which no mark on a panel tells
             continue
         marks = [m for m in plan.piece_of(trim.panel).marks if m.trim == trim.trim and trim.panel in m.panels]
         if isinstance(trim, Button):

@@ -63,7 +63,7 @@ def test_not_too_long_ends_above_the_foot(reader):
 @pytest.mark.parametrize(
     ("text", "name", "option", "least"),
     [
-        ("jodhpurs", "jeans", "bow", 3.0),
+        ("jodhpurs", "jeans", "bow", 1.5),
         ("plus fours", "joggers", "leg_ease", 30.0),
         ("harem trousers", "joggers", "leg_ease", 50.0),
         ("zouave trousers", "joggers", "leg_ease", 50.0),

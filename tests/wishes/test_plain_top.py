@@ -20,7 +20,7 @@ def test_a_plain_top_has_what_is_told(reader, text):
     assert (dict(draft.options).get("sleeve_shape") == "puffed") == (text == "puff sleeves")
 
 
-@pytest.mark.parametrize("text", ["a wuzzle", "czarna sukienka", ""])
+@pytest.mark.parametrize("text", ["a wuzzle", "czarna brzydula", ""])
 def test_of_what_is_not_known_nothing_is_made_up(reader, text):
     assert hear_description(text, reader).drafts == ()
 

@@ -230,7 +230,7 @@ def test_a_denied_detail_is_not_missing():
         ("wide skinny jeans", ("wide", "skinny jeans")),
         ("a backless top with a high closed back", ("backless", "closed back")),
         ("sleeveless dress with long sleeves", ("sleeveless", "long sleeves")),
-        ("collarless shirt with a big lapel collar", ("collarless", "big lapel collar")),
+        ("collarless blouse with a big lapel collar", ("collarless", "big lapel collar")),
     ],
 )
 def test_contradictions_are_named(text, pair):

@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from swifttailor.wording.lexicon import read_words
+from swifttailor.wording.lexicon.said_looks import said_looks
 
 TABLE = """
 a navy dress with a white collar and cuffs | navy | collar white, cuffs white
@@ -89,3 +90,10 @@ def test_names_of_garments_tell_of_looks_that_nobody_says():
     assert (look.part, look.cloth, look.said) == ("sleeves", "contrast", False)
     (look,) = read_words("tulle skirt").looks
     assert (look.part, look.cloth, look.said) == ("all", "tulle", True)
+
+
+def test_an_apron_over_another_garment_has_its_own_colour():
+    text = "a blue dirndl with a white apron"
+    reading = read_words(text)
+    (apron,) = [look for look in said_looks(text, reading.marks, reading.language) if look.part == "apron"]
+    assert apron.color is not None and apron.color.words == "white"

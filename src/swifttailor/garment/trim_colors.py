@@ -37,7 +37,7 @@ _LOOKS_COLORED: Mapping[str, tuple[str, ...]] = {
 """Of what is put on, the parts that have that colour: a buckle is metal whatever its belt is."""
 _COLORS = {"metal": "#8d8f94", "leather": "#4a3226"}
 _IN_ANOTHER: Mapping[str, tuple[str, str]] = {
-    "apron": ("#f3efe6", "#5d6f86"),
+    "apron": ("#f3efe6", "#e2dccf"),
     "edging": ("#f3efe6", "#33415c"),
     "lace trim": ("#f3efe6", "#c9bfae"),
 }

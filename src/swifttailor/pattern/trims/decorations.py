@@ -26,6 +26,12 @@ _CORD = 15.0
 _APRON_BESIDE, _APRON_ABOVE_HEM, _APRON_LEAST = 0.5, 0.14, 20.0
 """An apron's half width as a part of the skirt's, how far above the hem it ends as a part of its length,
 and the shortest skirt that has room for one, cm."""
+_APRON_WIDEST, _APRON_CORNER = 22.0, 6.0
+"""Half the width of the widest, and the radius of its lower corners, cm."""
+_APRON_WIDER = 1.7
+"""How much wider its lower edge may be than its waist."""
+_APRON_SHARES, _APRON_SLANT = (1.0, 0.8, 0.65, 0.5, 0.4, 0.3), 0.25
+"""Widths that are tried, as parts of the widest; how far its sides may begin below its middle, likewise."""
 
 
 def neck_rib(chalk: Chalk, name: str) -> list[Trim]:
@@ -156,15 +162,34 @@ def apron(chalk: Chalk, name: str) -> list[Trim]:
     if view is None or column is None or column[1] - column[0] < _APRON_LEAST * chalk.size:
         return []
     low, high = column
-    heights = np.linspace(low + _APRON_ABOVE_HEM * (high - low), high - 0.3, 9)
-    spans = [view.span(float(y)) for y in heights]
-    if any(span is None for span in spans):
+    span = view.span((low + high) / 2)
+    if span is None:
         return []
-    halves = [_APRON_BESIDE * min(-span[0], span[1]) for span in spans if span is not None]
-    if min(halves) < 4.0 * chalk.size:
+    widest = min(_APRON_BESIDE * min(-span[0], span[1]), _APRON_WIDEST * chalk.size)
+    for share in _APRON_SHARES:  # the waist of a round skirt is narrow
+        found = _apron(chalk, name, share * widest, min(widest, _APRON_WIDER * share * widest))
+        if found:
+            return found
+    return []
+
+
+def _apron(chalk: Chalk, name: str, half: float, low_half: float) -> list[Trim]:
+    """One of half widths at the waist and at its lower edge, cm."""
+    view = chalk.views["skirt_front"]
+    xs = np.linspace(-half, half, 13)
+    columns = [column for x in xs if (column := view.column(float(x))) is not None]
+    if half < 4.0 * chalk.size or len(columns) < len(xs):
         return []
-    sides = [[(sign * x, float(y)) for x, y in zip(halves, heights, strict=True)] for sign in (-1, 1)]
-    return chalk.ruled(name, view.panel.name, sides[0], sides[1])
+    low, high = columns[len(xs) // 2]
+    if min(top for _, top in columns) < high - _APRON_SLANT * (high - low):
+        return []
+    corner = _APRON_CORNER * chalk.size
+    lows = xs * (low_half / half)
+    beside = np.clip((np.abs(lows) - low_half) / corner + 1.0, 0.0, 1.0)
+    hem = low + _APRON_ABOVE_HEM * (high - low) + corner * (1.0 - np.sqrt(1.0 - 0.98 * beside**2))
+    upper = [(float(x), top - 0.5) for x, (_, top) in zip(xs, columns, strict=True)]
+    lower = [(float(x), float(y)) for x, y in zip(lows, hem, strict=True)]
+    return chalk.ruled(name, view.panel.name, lower, upper)
 
 
 def _below_the_neck(chalk: Chalk) -> tuple[str, float, float] | None:

@@ -294,6 +294,8 @@ class _Reader:
         """Whether looks can be said of it; of what is not there, as "no sleeves", none can."""
         if not mark.entries:
             return False
+        if self._is_worn_over(mark):
+            return True
         if any(claim.value == "none" for entry in mark.entries for claim in entry.claims("certain")):
             return False
         category = _category(mark)
@@ -304,9 +306,16 @@ class _Reader:
             return not said.endswith(("ed", "less", "puffy", "frilly", "lacy", "fluffy"))
         return False
 
+    def _is_worn_over(self, mark: WordMark) -> bool:
+        """Whether it is put on another garment: the apron of "a dirndl with a white apron"."""
+        others = self._names_garment and mark.role != "garment" and _category(mark) == "garments"
+        return others and any("apron" in entry.cannot for entry in mark.entries)
+
     def _part(self, mark: WordMark) -> str | None:
         """What a noun is of the garment: a part, something that is put on, or a thing of its own (``""``)."""
         if _category(mark) in ("garments", "accessories"):
+            if self._is_worn_over(mark):
+                return _PUT_ON["apron"]
             apart = mark.role in ("second", "theirs") and not _is_outfit(mark)
             return _part_of_garment(mark) or ("" if apart else None)
         return mark.part or _put_on(mark) or ""
