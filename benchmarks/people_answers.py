@@ -30,6 +30,7 @@ _FILES = {
     "persons": WORDS / "fresh" / "prompts_persons.jsonl",
     "persons_after": WORDS / "fresh" / "prompts_persons_after.jsonl",
     "five": WORDS / "fresh" / "prompts_of_five.jsonl",
+    "three": WORDS / "fresh" / "prompts_of_three.jsonl",
     "rehearsal": WORDS / "rehearsal" / "prompts.jsonl",
 }
 

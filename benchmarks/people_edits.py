@@ -39,6 +39,7 @@ _FILES = {
     "voices": WORDS / "fresh" / "edits_voices.jsonl",
     "persons": WORDS / "fresh" / "edits_persons.jsonl",
     "persons_after": WORDS / "fresh" / "edits_persons_after.jsonl",
+    "one": WORDS / "fresh" / "edits_of_one.jsonl",
     "rehearsal": WORDS / "rehearsal" / "edits.jsonl",
 }
 _STAYS_CM = 2.0

@@ -1,4 +1,4 @@
-"""Draws the picture of docs/trims.md: drafts with pockets, buttons, belts, frills and bows, sewn by the network.
+"""Draws the picture of docs/trims.md: drafts with pockets, buttons, belts, frills and bows, by the network.
 
 .venv/bin/python scripts/make_trim_pictures.py
 """
