@@ -44,7 +44,7 @@ _INCH = 2.54
         ("mido 1 metro 55, vestido", {"height": 155}),
         ("maxi dress, I am tall, 190 cm", {"height": 190}),
         ("petite 150 cm dress", {"height": 150}),
-        ("36-32 chinos", {"waist": 36 * _INCH}),
+        ("36-32 chinos", {"waist": 36 * _INCH, "inseam": 86.5}),
         ("42 long blazer", {"bust": 42 * _INCH, "height": 187}),
         ("ich bin sehr groß, Mantel", {"height": 186}),
     ],

@@ -81,6 +81,15 @@ def test_the_wishes_of_five_writers_are_in_the_vocabulary_and_nearly_all_new():
     assert all(any(e.claim == "kind" for e in p.expect) for p in wishes if len(p.text.split()) == 1)
 
 
+def test_texts_of_later_writers_are_in_the_vocabulary_and_nearly_all_new():
+    wishes = read_people_prompts(WORDS / "fresh" / "prompts_of_three.jsonl")
+    edits = read_people_edits(WORDS / "fresh" / "edits_of_one.jsonl")
+    for name, later, count in (("prompts", wishes, 255), ("edits", edits, 100)):
+        known = {p.text.lower() for half in HALVES for p in read_half(half, name)}
+        assert len(later) == len({p.id for p in later}) == count
+        assert len(known & {p.text.lower() for p in later}) <= count // 10
+
+
 @pytest.mark.parametrize("name", FILES)
 def test_texts_are_unique_and_the_halves_are_those_of_the_lot(name):
     paths = [WORDS / half / f"{name}.jsonl" for half in HALVES]
