@@ -72,7 +72,7 @@ def test_the_file_holds_the_texture(garment):
     assert content[start : start + 4] == b"\x89PNG" and view["byteOffset"] % 4 == 0
     plain = glb_bytes(mesh_of_garment(replace(garment, print=None, cloth="silk")))
     bare = json.loads(plain[20 : 20 + struct.unpack_from("<I", plain, 12)[0]])
-    assert "images" not in bare and bare["materials"][0]["pbrMetallicRoughness"]["roughnessFactor"] == 0.4
+    assert "images" not in bare and bare["materials"][0]["pbrMetallicRoughness"]["roughnessFactor"] == 0.6
 
 
 def test_corners_of_faces_lie_on_the_cloth_at_its_scale(garment):

@@ -237,7 +237,7 @@ def test_a_part_comes_off_only_where_it_is_spoken_of():
 
 
 def test_slits_open_move_and_close():
-    pattern = draft("fitted-skirt")
+    pattern = draft("fitted-skirt", length=80.0)
     opened = alter(pattern, [gain("slit", "back"), gain("slit", "left")])
     assert opened.open == () and opened.facts.skirt is not None
     assert {s.place for s in opened.facts.skirt.slits} == {"back", "left"}

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from functools import cache
+from functools import lru_cache
 
 from swifttailor.wishes.body_said import SaidBody
 from swifttailor.wishes.body_words import any_of, whole_word
@@ -11,7 +11,7 @@ from swifttailor.wishes.body_words import any_of, whole_word
 BUILDS = ("plus", "petite", "tall")
 
 
-@cache
+@lru_cache(maxsize=8)
 def _of_person(build: str) -> re.Pattern[str]:
     lead, adverb, person = (any_of("builds", key) for key in ("of_person", "adverb", "person"))
     word = any_of("builds", f"{build}_of")

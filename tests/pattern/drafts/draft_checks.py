@@ -51,6 +51,10 @@ def is_gathered(pattern: Pattern, stitch: Stitch) -> bool:
     )
     if pattern.name == "tiered-skirt" and all(n.startswith("skirt") for n in names):
         return True
+    if pattern.name == "mermaid-dress" and any(n[-1].isdigit() for n in names):  # its tiers
+        return all(n.startswith("skirt_front") for n in names) or all(
+            n.startswith("skirt_back") for n in names
+        )
     if any("torso" in n for n in names) and any("cuff" in n for n in names):
         return True  # sleeves that are cut in one, into their cuffs
     if pattern.name in GATHERED_AT_THE_WAIST and any(n.startswith("skirt") for n in names):

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Annotated
 
 import numpy as np
 
+from swifttailor.arrays import Array
 from swifttailor.pattern.drafts.cutting_table import CuttingTable, Piece
 from swifttailor.pattern.drafts.options import Option
 from swifttailor.pattern.drafts.outline import Outline, Side
@@ -24,6 +27,8 @@ _BESIDE_CM = 1.5
 """Least of the hem between two slits."""
 _LEFT_ABOVE_CM = 16.0
 """What stays whole above the point of a wedge."""
+_CLEAR = 0.85
+"""How far slits reach towards where neighbours would meet."""
 _APART_CM = 5.0
 """How far wedges stand off the skirt before sewing."""
 
@@ -62,14 +67,15 @@ def _let_in(table: CuttingTable, name: str, count: int, godets: Godets) -> None:
     stops = [(k + 0.5) / count + sign * half for k in range(count) for sign in (-1, 1)]
     parts = hem.split(stops)
     along = 1.0 if hem.end[0] > hem.start[0] else -1.0  # the loops of backs are turned
+    mouths = [(np.array(part.start), np.array(part.end)) for part in parts[1::2]]
+    upwards = [along * _across(end - start) for start, end in mouths]
+    middles = [(start + end) / 2 for start, end in mouths]
+    long = min(long, _CLEAR * _meeting(middles, upwards))
     new: list[Side] = [parts[0]]
     slits: list[tuple[Side, Side]] = []
-    for k in range(count):
-        start, end = (np.array(p) for p in (parts[2 * k + 1].start, parts[2 * k + 1].end))
-        chord = end - start
-        rise = math.sqrt(long**2 - (float(np.hypot(*chord)) / 2) ** 2)
-        upwards = np.array([-chord[1], chord[0]]) * along / float(np.hypot(*chord))
-        x, y = ((start + end) / 2 + rise * upwards).tolist()
+    for k, (start, end) in enumerate(mouths):
+        rise = math.sqrt(long**2 - (float(np.hypot(*(end - start))) / 2) ** 2)
+        x, y = (middles[k] + rise * upwards[k]).tolist()
         point = (x, y)
         up = Side(f"slit_{k}_up", parts[2 * k + 1].start, point)
         down = Side(f"slit_{k}_down", point, parts[2 * k + 1].end)
@@ -82,6 +88,22 @@ def _let_in(table: CuttingTable, name: str, count: int, godets: Godets) -> None:
         _lay_wedge(table, piece, wedge, long, godets.width, (middle, up.start[1]))
         table.seam(f"{name}.slit_{k}_up", f"{wedge}.{'left' if along > 0 else 'right'}")
         table.seam(f"{name}.slit_{k}_down", f"{wedge}.{'right' if along > 0 else 'left'}")
+
+
+def _across(chord: Array) -> Array:
+    """The direction (2,) to the left of a chord (2,), of length 1."""
+    return np.array([-chord[1], chord[0]]) / float(np.hypot(*chord))
+
+
+def _meeting(middles: Sequence[Array], upwards: Sequence[Array]) -> float:
+    """How far above a bent hem neighbouring slits would meet, cm; infinite where they spread."""
+    least = math.inf
+    for (a, b), (u, v) in zip(pairwise(middles), pairwise(upwards), strict=True):
+        apart, gap = float(u[0] * v[1] - u[1] * v[0]), b - a
+        if abs(apart) > 1e-9:
+            far = min(float(gap[0] * w[1] - gap[1] * w[0]) / apart for w in (u, v))
+            least = min(least, far) if far > 0.0 else least
+    return least
 
 
 def _lay_wedge(
