@@ -6,6 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from swifttailor.describing.claims import Claim
 from swifttailor.wishes.spoken_hems import spoken_bounds, spoken_hem, spoken_slit
 from swifttailor.wishes.spoken_measures import spoken_measures
 from swifttailor.wording.lexicon import read_words
@@ -112,3 +113,8 @@ def test_bounds_and_slits():
     found = spoken_slit(text, read_words(text))
     assert found is not None and found.value == "right"
     assert spoken_slit("a gown", read_words("a gown")) is None
+
+
+def test_a_number_behind_a_comma_is_of_what_stands_right_behind_it():
+    (said,) = spoken_measures("skirt, knee length, 15 cm slit at the back", "skirt")
+    assert said.claim == Claim("slit_cm", 15.0)

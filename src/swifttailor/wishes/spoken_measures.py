@@ -219,7 +219,10 @@ def _said_of(
     text: str, mention: Mention, bounds: tuple[int, int], kind: str | None
 ) -> tuple[Claim | None, bool]:
     start, end = bounds
+    comma = text.rfind(", ", start, mention.start)
+    begins = comma >= 0 and not text[comma + 1 : mention.start].strip()
     near: list[tuple[int, str, int]] = []
+    its_own: list[tuple[int, str, int]] = []
     for rank, (claim, kinds, pattern) in enumerate(_measures()):
         if kinds and kind not in kinds:
             continue
@@ -232,7 +235,9 @@ def _said_of(
                 words = len(text[mention.end : match.start()].split()) if behind else 0
                 at_once = _AT_ONCE if claim in _OF_ENDS and not behind and gap <= 1 else 0
                 near.append((gap - len(match[0]) + (3 * words if behind else at_once), claim, rank))
-    comma = text.rfind(", ", start, mention.start)
+                if begins and behind and not words and claim != "none":
+                    its_own.append(near[-1])
+    near = its_own or near  # "knee length, 15 cm slit behind" says nothing more of the length
     piece = text[start if comma < 0 else comma + 1 : end].strip(" .,!?")
     if comma >= 0 and piece == text[mention.start : mention.end]:
         near = [one for one in near if one[1] != "none"]  # "fitted to the thigh, 75 cm" measures no thigh

@@ -9,7 +9,7 @@ from swifttailor.wording.claim_kinds import fits_kind, implied_kind
 from swifttailor.wording.lexicon import Entry, read_words
 
 _FIRST = ("accessories", "occasions")
-"""A tuxedo says more of what is worn than the evening does, and that more than "comfy"."""
+"""A tuxedo says more of what is worn than the evening does, and that more than "comfy"; persons say most."""
 _NAMES = ("garment", "like")
 """Roles of words that name the garment."""
 _MERE_DRESSES = ("dress", "gown", "frock", "costume", "outfit")
@@ -86,4 +86,4 @@ def _may_have(kind: str, name: str, value: object) -> bool:
 
 def _order(entry: Entry) -> tuple[int, int, int]:
     category, (file, line) = entry.category, entry.place
-    return _FIRST.index(category) if category in _FIRST else len(_FIRST), int(file != _PERSONS), line
+    return int(file != _PERSONS), _FIRST.index(category) if category in _FIRST else len(_FIRST), line
