@@ -70,7 +70,10 @@ def _let_in(table: CuttingTable, name: str, count: int, godets: Godets) -> None:
     mouths = [(np.array(part.start), np.array(part.end)) for part in parts[1::2]]
     upwards = [along * _across(end - start) for start, end in mouths]
     middles = [(start + end) / 2 for start, end in mouths]
-    long = min(long, _CLEAR * _meeting(middles, upwards))
+    others = [side for side in piece.sides if side is not hem]
+    corners = [corner for mouth in mouths for corner in mouth]
+    along_them = [up for up in upwards for _ in range(2)]
+    long = min(long, _CLEAR * _meeting(middles, upwards), _CLEAR * _to_sides(corners, along_them, others))
     new: list[Side] = [parts[0]]
     slits: list[tuple[Side, Side]] = []
     for k, (start, end) in enumerate(mouths):
@@ -103,6 +106,21 @@ def _meeting(middles: Sequence[Array], upwards: Sequence[Array]) -> float:
         if abs(apart) > 1e-9:
             far = min(float(gap[0] * w[1] - gap[1] * w[0]) / apart for w in (u, v))
             least = min(least, far) if far > 0.0 else least
+    return least
+
+
+def _to_sides(corners: Sequence[Array], upwards: Sequence[Array], sides: Sequence[Side]) -> float:
+    """How far above the hem a slit would reach another edge of its panel, edges taken as straight, cm."""
+    least = math.inf
+    for at, up in zip(corners, upwards, strict=True):
+        for side in sides:
+            start, chord = np.array(side.start) - at, np.array(side.end) - np.array(side.start)
+            apart = float(up[0] * chord[1] - up[1] * chord[0])
+            if abs(apart) < 1e-9:
+                continue
+            far = float(start[0] * chord[1] - start[1] * chord[0]) / apart
+            share = float(start[0] * up[1] - start[1] * up[0]) / apart
+            least = min(least, far) if far > 0.0 and 0.0 <= share <= 1.0 else least
     return least
 
 
