@@ -156,6 +156,13 @@ def test_of_what_nobody_understands_nothing_is_made(tailor, text):
     assert tailor.pattern_maker.model.runtime.asked == [], "nobody was asked to write one"
 
 
+@pytest.mark.parametrize("text", ["size 14", "XL", "188 cm 95 kg"])
+def test_of_a_wearer_alone_nothing_is_made(tailor, text):
+    asked, other = tailor.write([Order(text), Order("a T-shirt")])
+    assert isinstance(asked, NothingAskedError) and "Nothing but who wears it" in str(asked)
+    assert not isinstance(other, NothingAskedError)
+
+
 @pytest.mark.parametrize("text", ["hat", "a paisley scarf", "shoes for running", "blue curtains"])
 def test_what_is_no_garment_is_not_made(tailor, text):
     with pytest.raises(NothingAskedError, match="What can be made are tops, dresses"):

@@ -188,3 +188,8 @@ def test_heights_are_read_as_they_are_written(tall, form):
     said = form.format(m=metres.replace(".", ",") + " m", p=metres, cm=tall)
     wearer = hear_wearer(f"{said}, a coat").wearer
     assert wearer is not None and wearer.measures == {"height": float(tall)}
+
+
+def test_a_dress_before_a_size_is_what_is_made():
+    assert hear_wearer("red dress size 12").rest == "red dress"
+    assert hear_wearer("my dress size is 12, a coat").rest == "a coat"

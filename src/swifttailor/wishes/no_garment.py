@@ -14,6 +14,7 @@ _NO_GARMENT = (
     'No garment is asked for in "{text}". What can be made are tops, dresses, skirts, trousers and garments '
     "in one piece: name one{near}."
 )
+_WEARER_ALONE = 'Nothing but who wears it is said in "{text}". Say what is to be made, too{near}.'
 _NOTHING_KNOWN = (
     'No garment is described in "{text}": no word of it is known. Name one in {languages}{near}; or let the '
     "network guess, with --source writer."
@@ -31,9 +32,11 @@ def asks_for_none(heard: Heard, text: str) -> str:
         text: As it was given.
     """
     words = heard.words
+    quoted = text if len(text) <= _SHOWN else f"{text[: _SHOWN - 4]} ..."
+    if any(map(str.isalnum, text)) and not any(map(str.isalnum, heard.text)):  # "size 14"
+        return _WEARER_ALONE.format(text=quoted, near=_LIKE)
     if words is None:
         return ""
-    quoted = text if len(text) <= _SHOWN else f"{text[: _SHOWN - 4]} ..."
     told = bool(words.colors or words.cloths or heard.print or heard.cannot)
     known = [mark for mark in words.marks if _category(mark) not in (None, "function")]
     guessed = bool(heard.sure or heard.likely)
