@@ -193,3 +193,10 @@ def test_heights_are_read_as_they_are_written(tall, form):
 def test_a_dress_before_a_size_is_what_is_made():
     assert hear_wearer("red dress size 12").rest == "red dress"
     assert hear_wearer("my dress size is 12, a coat").rest == "a coat"
+
+
+def test_a_size_that_nobody_has_is_no_childs():
+    heard = hear_wearer("size 99 dress")
+    assert heard.rest == "dress" and any("no body of size 99" in note for note in heard.notes)
+    child = hear_wearer("size 98 dress").wearer
+    assert child is not None and child.size == "children EU 98"

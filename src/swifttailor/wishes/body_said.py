@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass, field
 
-CM_PER_INCH = 2.54
 KG_PER_POUND = 0.4536
 POUNDS_PER_STONE = 14
 

@@ -147,7 +147,8 @@ def _take_number(
     said: SaidBody, match: re.Match[str], value: int, region: str, figure: str | None, child: bool
 ) -> None:
     german = region == "DE"
-    if child or (value >= 98 and figure != "men") or (value in _BABY_SIZES and value > 60 and figure is None):
+    of_a_child = str(value) in charts()["children", "EU"] and figure != "men"
+    if child or of_a_child or (value in _BABY_SIZES and value > 60 and figure is None):
         if value < 40 and not said.age:
             said.age = value if 1 <= value <= 16 else None
         elif value >= 40:

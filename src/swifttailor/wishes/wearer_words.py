@@ -14,10 +14,11 @@ from swifttailor.wishes.body_figures import is_for_a_child, spoken_figure
 from swifttailor.wishes.body_girths import hear_girths
 from swifttailor.wishes.body_heights import hear_height
 from swifttailor.wishes.body_legs import hear_legs
-from swifttailor.wishes.body_said import CM_PER_INCH, SaidBody
+from swifttailor.wishes.body_said import SaidBody
 from swifttailor.wishes.body_sizes import hear_size
 from swifttailor.wishes.not_the_wearer import hide_others, with_finished_chest
 from swifttailor.wording.lexicon import read_words
+from swifttailor.wording.numbers import CM_PER_INCH
 
 PETITE_CM, TALL_CM = {"women": 157.0, "men": 166.0}, {"women": 180.0, "men": 192.0}
 """Heights of those who are called so."""
