@@ -78,6 +78,7 @@ def reader() -> WishReader:
         ("something nice over leggings", {"kind=tunic"}),
         ("trousers to go with a dress shirt", {"kind=trousers"}),
         ("leggings that don't reach the ankle", {"kind=trousers", "leg_hem=calf"}),
+        ("trousers that get narrower and narrower", {"legs=tapered"}),
         ("a skirt to dance salsa in", {"kind=skirt", "skirt=flared"}),
         ("a jacket, but it mustn't have a hood", {"kind=top"}),
         ("a pant, very large down", {"kind=trousers"}),
@@ -152,3 +153,18 @@ def test_what_people_say_of_lengths_and_sleeves_is_put_plainly(text, plain):
 @pytest.mark.parametrize("text", ["2 m of linen", "polo-neck, 300 pcs", "jeans with a rope round the middle"])
 def test_amounts_of_cloth_and_pieces_are_no_measures(text):
     assert not re.search(r"\d|rope", plainly_wished(without_asides(text)))
+
+
+@pytest.mark.parametrize(
+    ("text", "never"),
+    [
+        ("leggings that don't reach the ankle", "leg_hem=ankle"),
+        ("trousers that end above the ankle", "leg_hem=ankle"),
+        ("A trouser whose legs become more and more narrow", "legs=wide"),
+        ("ground crew trousers", "neckline=crew"),
+    ],
+)
+def test_a_network_adds_nothing_that_words_speak_against(reader, text, never):
+    heard = hear_description(text, reader)
+    told = [*heard.sure, *heard.likely]
+    assert never not in {f"{w.change.claim.name}={w.change.claim.value}" for w in told}

@@ -25,7 +25,13 @@ from swifttailor.wishes.kind_of_details import (
     without_wrong_kind,
 )
 from swifttailor.wishes.lexicon_spelling import guessed_name
-from swifttailor.wishes.long_names import against_names, hangs_so, is_against_phrase, is_long_name
+from swifttailor.wishes.long_names import (
+    against_names,
+    against_phrases,
+    hangs_so,
+    is_against_phrase,
+    is_long_name,
+)
 from swifttailor.wishes.mentions import find_mentions
 from swifttailor.wishes.one_arm import of_one_arm, of_two_arms, with_both_arms
 from swifttailor.wishes.reader import Wish, WishReader
@@ -124,7 +130,8 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
     refused = (*words.never, *_with_parts(words), *refused_frills(words), *against.values())
     never = tuple([claim for claim in refused if claim not in said and not hangs_so(claim, words)])
     never = (*never, *other_slits(text, [*said, *[i.claim for i in words.implications]]))
-    network = [w for w in network if not _is_measured(w, measures) and not _is_outdone(w, said, never)]
+    unsaid = (*never, *before.never, *against_phrases(words))
+    network = [w for w in network if not _is_measured(w, measures) and not _is_outdone(w, said, unsaid)]
     network = _within_names(network, words)
     found = _explained(text, words, network) or united(text, words, network)
     stated = [Wish(Gain(claim), SURENESS["certain"]) for claim in said]
@@ -153,7 +160,7 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
             named=[Gain(i.claim) for i in words.implications if not i.said],
             said=[Gain(i.claim) for i in words.implications if i.said],
             outdone=_outdone(words),
-            never=never,
+            never=unsaid,
             subjects=_only_subjects(words),
         )
     found = within_the_name(without_wrong_kind(found, said, words), words)

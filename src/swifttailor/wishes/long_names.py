@@ -61,3 +61,11 @@ def against_names(words: WordReading) -> dict[Claim, Claim]:
     ]
     against = [(i.claim, other) for i in told for entry in i.mark.entries for other in entry.against]
     return {claim: other for claim, other in against if other.name == claim.name and other not in implied}
+
+
+def against_phrases(words: WordReading) -> tuple[Claim, ...]:
+    """What phrases of several words speak against: "above the ankle" is no ankle."""
+    implied = {i.claim for i in words.implications}
+    told = [i for i in words.implications if i.said and not i.mark.denied and _words(i) >= _PART]
+    against = [claim for i in told for entry in i.mark.entries for claim in entry.against]
+    return tuple(dict.fromkeys(claim for claim in against if claim not in implied))
