@@ -57,8 +57,7 @@ from swifttailor.wishes.whole_instruction import (
 from swifttailor.wishes.whole_of_kind import of_kind
 from swifttailor.wishes.whole_sentences import is_letter, whole_of
 from swifttailor.wishes.without_looks import without_looks
-from swifttailor.wishes.word_by_word import in_english
-from swifttailor.wording.lexicon import SURENESS, WordMark, WordReading, exclude, read_words
+from swifttailor.wording.lexicon import SURENESS, WordMark, WordReading, exclude, glossed_change, read_words
 
 SURE_IN_KNOWN_WORDS = 0.7
 """Enough for an edit whose words are all known ones for what was read: 147 of 162 such wishes
@@ -84,7 +83,7 @@ def hear_instruction(text: str, reader: WishReader, facts: GarmentFacts | None =
         reader: The network.
         facts: Of the garment; None where it cannot be measured.
     """
-    text = in_english(without_taken_back(text))
+    text = glossed_change(without_taken_back(text))
     shown, words = text_as_read(text, None if facts is None else named_kind(facts))
     rest = without_looks(shown, words, facts)
     if rest == shown:

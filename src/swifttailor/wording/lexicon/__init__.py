@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from swifttailor.wording.lexicon.conflicts import exclude
     from swifttailor.wording.lexicon.entries import Entry
     from swifttailor.wording.lexicon.foreign import foreign_language
-    from swifttailor.wording.lexicon.glosses import glossed
+    from swifttailor.wording.lexicon.glosses import glossed, glossed_change
     from swifttailor.wording.lexicon.reading import (
         SURENESS,
         Implication,
@@ -38,6 +38,7 @@ _PUBLIC = {
     "exclude": "conflicts",
     "foreign_language": "foreign",
     "glossed": "glosses",
+    "glossed_change": "glosses",
     "read_words": "reading",
     "usual_color": "usual_colors",
 }
@@ -56,6 +57,7 @@ __all__ = [
     "exclude",
     "foreign_language",
     "glossed",
+    "glossed_change",
     "read_words",
     "usual_color",
 ]
