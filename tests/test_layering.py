@@ -25,7 +25,7 @@ TABLE = tomllib.loads((HOUSE / "docs" / "rooms.toml").read_text())
 _SMALL = (
     {"errors", "first_use"},
     {"__init__"},
-    {"arrays", "atomic_files", "clock", "numba_cache", "postponed_module", "progress"},
+    {"arrays", "atomic_files", "clock", "inches", "numba_cache", "postponed_module", "progress"},
     {"compiled_loop", "output_folder"},
     {"workers"},
 )

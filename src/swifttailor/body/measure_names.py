@@ -10,6 +10,7 @@ from typing import Any
 from swifttailor.body.body_measures import MEASURES
 from swifttailor.body.measurements import is_finite_number
 from swifttailor.errors import InputError
+from swifttailor.inches import CM_PER_INCH
 
 EVERYDAY = {
     "chest": "bust",
@@ -159,4 +160,4 @@ def _length(text: str, word: str) -> float:
         raise InputError(f"'{word}': a number of cm was expected, such as 96 or 38in.") from error
     if unit not in {"", "cm", *_INCHES}:
         raise InputError(f"'{word}': the unit may be cm or in.")
-    return value * 2.54 if unit in _INCHES else value
+    return value * CM_PER_INCH if unit in _INCHES else value

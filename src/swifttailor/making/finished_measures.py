@@ -11,10 +11,10 @@ from swifttailor.describing import GarmentFacts
 from swifttailor.describing.measuring import measure_facts
 from swifttailor.describing.measuring.anatomy import Anatomy
 from swifttailor.errors import InputError
+from swifttailor.inches import CM_PER_INCH
 from swifttailor.pattern import Pattern
 from swifttailor.pattern.finding import Finding, Severity
 
-CM_PER_INCH = 2.54
 _EIGHTHS = ("", "1/8", "1/4", "3/8", "1/2", "5/8", "3/4", "7/8")
 _ALIKE_CM = 0.25
 """Sleeves that differ by less are told once."""

@@ -6,8 +6,8 @@ import re
 from dataclasses import dataclass
 
 from swifttailor.errors import InputError
+from swifttailor.inches import CM_PER_INCH
 
-INCH_CM = 2.54
 MARGIN_CM = 1.0
 """Left free on every side; home printers do not print closer to the edge."""
 PAPERS: dict[str, tuple[float, float]] = {
@@ -16,10 +16,10 @@ PAPERS: dict[str, tuple[float, float]] = {
     "a2": (42.0, 59.4),
     "a1": (59.4, 84.1),
     "a0": (84.1, 118.9),
-    "letter": (8.5 * INCH_CM, 11 * INCH_CM),
-    "legal": (8.5 * INCH_CM, 14 * INCH_CM),
-    "tabloid": (11 * INCH_CM, 17 * INCH_CM),
-    "arch-d": (24 * INCH_CM, 36 * INCH_CM),
+    "letter": (8.5 * CM_PER_INCH, 11 * CM_PER_INCH),
+    "legal": (8.5 * CM_PER_INCH, 14 * CM_PER_INCH),
+    "tabloid": (11 * CM_PER_INCH, 17 * CM_PER_INCH),
+    "arch-d": (24 * CM_PER_INCH, 36 * CM_PER_INCH),
 }
 """Width and height in cm, upright."""
 _SMALLEST_CM, _LARGEST_CM = 9.0, 500.0
@@ -50,7 +50,7 @@ class Paper:
                 f"There is no paper {name!r}. Accepted: {', '.join(PAPERS)}, or a size such as 90x200cm "
                 "or 24x36in."
             )
-        factor = {"mm": 0.1, "in": INCH_CM}.get(found[3] or "cm", 1.0)
+        factor = {"mm": 0.1, "in": CM_PER_INCH}.get(found[3] or "cm", 1.0)
         width, height = float(found[1]) * factor, float(found[2]) * factor
         if not (_SMALLEST_CM <= min(width, height) and max(width, height) <= _LARGEST_CM):
             raise InputError(

@@ -8,10 +8,10 @@ from typing import Any
 import numpy as np
 
 from swifttailor.errors import MissingExtraError
+from swifttailor.inches import CM_PER_INCH
 from swifttailor.making.drawing import Drawing, Stroke, Text
-from swifttailor.making.paper import INCH_CM
 
-POINTS_PER_CM = 72.0 / INCH_CM
+POINTS_PER_CM = 72.0 / CM_PER_INCH
 PLAIN, BOLD = "Helvetica", "Helvetica-Bold"
 
 

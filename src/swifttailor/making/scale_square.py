@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 
+from swifttailor.inches import CM_PER_INCH
 from swifttailor.making.drawing import CUT, FRAME, Drawing, Stroke, Text
-from swifttailor.making.paper import INCH_CM
 
 SIZE_CM = 10.0, 5.0
 SIZE_INCH = 4.0, 2.0
-OUTER_CM = SIZE_INCH[0] * INCH_CM, SIZE_INCH[1] * INCH_CM
+OUTER_CM = SIZE_INCH[0] * CM_PER_INCH, SIZE_INCH[1] * CM_PER_INCH
 
 
 def draw_test_square(x: float, y: float) -> Drawing:

@@ -5,9 +5,9 @@ from __future__ import annotations
 import re
 from functools import cache
 
+from swifttailor.inches import CM_PER_INCH
 from swifttailor.wishes.body_said import SaidBody, number
 from swifttailor.wishes.body_words import any_of
-from swifttailor.wording.numbers import CM_PER_INCH
 
 _NUMBER = r"\d{2,3}(?:[.,]\d{1,2})?(?![\d]|[.,]\d|\s?(?:%|°))"
 _INCH = (

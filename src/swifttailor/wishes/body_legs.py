@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import re
 
+from swifttailor.inches import CM_PER_INCH
 from swifttailor.wishes.body_said import SaidBody, number
-from swifttailor.wording.numbers import CM_PER_INCH
 
 _INCHES_BELOW = 45.0
 """No inseam of an adult is so small in cm."""

@@ -15,9 +15,9 @@ from pathlib import Path
 from swifttailor.describing.claims import CLAIM_TYPES, Claim
 from swifttailor.describing.differences import Change, Gain
 from swifttailor.describing.facts import LandmarkFacts
+from swifttailor.inches import CM_PER_INCH
 from swifttailor.wishes.mentions import Mention, find_mentions
 from swifttailor.wishes.spoken_depths import spoken_depth
-from swifttailor.wording.numbers import CM_PER_INCH
 from swifttailor.wording.word_tables import read_table
 
 _TABLE = Path(__file__).with_name("measure_words.txt")

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 from swifttailor.body.size_charts import find_size
 from swifttailor.body.wearer import Wearer
+from swifttailor.inches import CM_PER_INCH
 from swifttailor.wishes.body_ages import OF_AGES, SMALLEST, hear_age
 from swifttailor.wishes.body_builds import hear_build
 from swifttailor.wishes.body_figures import is_for_a_child, spoken_figure
@@ -18,7 +19,6 @@ from swifttailor.wishes.body_said import SaidBody
 from swifttailor.wishes.body_sizes import hear_size
 from swifttailor.wishes.not_the_wearer import hide_others, with_finished_chest
 from swifttailor.wording.lexicon import read_words
-from swifttailor.wording.numbers import CM_PER_INCH
 
 PETITE_CM, TALL_CM = {"women": 157.0, "men": 166.0}, {"women": 180.0, "men": 192.0}
 """Heights of those who are called so."""

@@ -6,9 +6,9 @@ import random
 from typing import Literal, NamedTuple
 
 from swifttailor.describing.claims import CLAIM_TYPES, Claim
+from swifttailor.inches import CM_PER_INCH
 
 Units = Literal["cm", "inches"]
-CM_PER_INCH = 2.54
 _COUNTS = (
     "no one two three four five six seven eight nine ten eleven twelve thirteen fourteen fifteen sixteen"
 ).split()

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from swifttailor.describing.claims import Claim, claims_of
 from swifttailor.describing.differences import QUANTITIES, Change, Gain, Step, find_differences
 from swifttailor.describing.facts import GarmentFacts
+from swifttailor.inches import CM_PER_INCH
 from swifttailor.wording.captions.styles import phrase
 from swifttailor.wording.instructions.requests import GainWording, gain_words, step_words
 from swifttailor.wording.speech import Speech, with_articles
@@ -17,7 +18,6 @@ MOST_CHANGES = 4
 """An instruction asks for no more at once; where more is different, it says what to make instead."""
 _WITH_AMOUNT = 0.35
 _INCHES = 0.3
-CM_PER_INCH = 2.54
 
 
 @dataclass(frozen=True)
