@@ -9,7 +9,7 @@ from swifttailor.pattern.drafts import draft, list_drafts
 
 
 @pytest.mark.parametrize("info", list_drafts(), ids=lambda d: d.name)
-@settings(max_examples=25, deadline=None, suppress_health_check=list(HealthCheck), derandomize=True)
+@settings(max_examples=10, deadline=None, suppress_health_check=list(HealthCheck), derandomize=True)
 @given(data=st.data())
 def test_stays_sewable(info, data):
     measurements = data.draw(bodies())

@@ -120,7 +120,7 @@ def test_lies_on_its_panels_in_pairs(info, drafts):
 
 
 @pytest.mark.parametrize("info", SOME, ids=lambda d: d.name)
-@settings(max_examples=6, deadline=None, suppress_health_check=list(HealthCheck), derandomize=True)
+@settings(max_examples=3, deadline=None, suppress_health_check=list(HealthCheck), derandomize=True)
 @given(data=st.data())
 def test_with_any_options_for_anybody(info, data):
     measures = data.draw(bodies())
@@ -245,14 +245,15 @@ def test_never_raises_for_known_patterns(garmentcode_folder):
         pytest.skip(f"no {path.name} in {garmentcode_folder}")
     found = set()
     for number, known in enumerate(read_patterns(path)):
-        if number == 150:
+        if number == 60:
             break
         pattern = with_all(parsed_pattern(known))
         trims = place_trims(pattern)
         assert_on_panels(pattern, trims)
         found |= {trim.trim for trim in trims}
-        alone = {name for name in TRIMS if place_trims(replace(pattern, trims=(name,)))}
-        assert alone == {trim.trim for trim in trims}
+        if number % 5 == 0:
+            alone = {name for name in TRIMS if place_trims(replace(pattern, trims=(name,)))}
+            assert alone == {trim.trim for trim in trims}
     assert found == set(TRIMS)
 
 
