@@ -90,6 +90,26 @@ def test_files_that_others_have_made_are_never_replaced(name, write, tmp_path, c
     assert [p.name for p in tmp_path.iterdir()] == [name] and not maker.model.runtime.asked
 
 
+def test_two_garments_that_are_worn_together_get_a_folder_each(tmp_path, capsys):
+    wish = "a white blouse and a black pencil skirt"
+    assert command("generate", wish, "--out", tmp_path / "out") in (0, 1)
+    said = capsys.readouterr().out
+    assert 'upper: Of the two garments, the upper one: "a white blouse".' in said
+    assert {p.name for p in (tmp_path / "out").iterdir()} == {"upper", "lower", "sheet.png", ".swifttailor"}
+    for name, words, color in (
+        ("upper", "a white blouse", "#ffffff"),
+        ("lower", "a black pencil skirt", "#000000"),
+    ):
+        garment = Garment.load(tmp_path / "out" / name)
+        order = garment.report["order"]
+        assert (order["text"], order["part"], order["words"]) == (wish, name, words)
+        assert garment.report["heard"]["color"] == color and not garment.report["heard"]["cannot"]
+    assert command("generate", wish, "--part", "lower", "--no-preview", "--out", tmp_path / "one") in (0, 1)
+    assert Garment.load(tmp_path / "one").report["order"]["words"] == "a black pencil skirt"
+    assert command("generate", wish, "--part", "whole", "--no-preview", "--out", tmp_path / "whole") == 1
+    assert "several garments at once" in Garment.load(tmp_path / "whole").report["heard"]["cannot"][0]
+
+
 def test_several_samples_get_a_folder_each_and_a_sheet(write, tmp_path, capsys):
     script = [draft("t-shirt"), crossed(draft("t-shirt")), draft("fitted-skirt")], [crossed(draft("t-shirt"))]
     write(*script)

@@ -87,7 +87,7 @@ def test_the_garment_that_covers_most_is_made_unless_another_is_asked_for(sewer)
     assert measure_facts(made.pattern).kind == "trousers"
     with pytest.raises(NothingSeenError, match=r"on this part of the body.* What is seen: lower"):
         alone.generate(image=PHOTO, part="upper")
-    with pytest.raises(InputError, match="there is no picture"):
+    with pytest.raises(InputError, match="names no two garments"):
         Order("a dress", part="upper")
     with pytest.raises(InputError, match="front and a back"):
         Order(image=[PHOTO] * 3)
@@ -212,7 +212,7 @@ def test_reading_alone_tells_the_design_parameters_that_are_seen(shown, tmp_path
     ("arguments", "said"),
     [
         (["generate", "a top", "--read"], "--read is about a picture"),
-        (["generate", "a top", "--part", "upper"], "--part is about a picture"),
+        (["generate", "a top", "--part", "upper"], "--part upper chooses one of two garments"),
         (["generate", "--image", "none.png", "a top"], "Put the text before --image"),
     ],
 )

@@ -465,3 +465,13 @@ def test_what_was_doubtful_before_an_edit_does_not_make_it_be_written_again(sewe
         made = Tailor.load(maker, sewer).edit(edit, "make the right sleeve small", attempts=3, alter=False)
         assert maker.model.runtime.asked == asked
         assert like(made.pattern, small) and made.needs_a_look
+
+
+def test_all_garments_of_a_wish_are_made_by_where_they_are_worn(sewer):
+    tailor = Tailor(garment_sewer=sewer)
+    made = tailor.generate_all("a navy top and matching shorts")
+    assert {part: one.report["order"]["words"] for part, one in made.items()} == {
+        "upper": "a navy top",
+        "lower": "navy shorts",
+    }
+    assert list(tailor.generate_all("a skirt")) == ["whole"]

@@ -39,8 +39,8 @@ class Generate(Making):
     """Picture of a garment, or of one person: PNG, JPEG, WEBP, BMP, GIF or TIFF. Give two for the front and
     the back of one garment. What TEXT says outranks it."""
     part: Literal["upper", "lower", "whole"] | None = None
-    """Which garment in the picture: on the upper body, on the lower, or one dress or jumpsuit. Default: all
-    that are seen; two get a folder each in DIR."""
+    """Which garment in the picture, or of two that TEXT names: on the upper body, on the lower, or one dress,
+    jumpsuit or other single garment. Default: all; two get a folder each in DIR."""
     read: tyro.conf.FlagCreatePairsOff[bool] = False
     """Only read the picture: print what it shows, write seen.png and reading.json."""
     source: Literal["both", "drafts", "designs", "library", "writer"] = "both"
@@ -105,27 +105,25 @@ class Generate(Making):
         return super().tailor(before, picture_reader=reader, pattern_library=self.pattern_library, **networks)
 
     def several(self, tailor: Tailor, order: Order) -> dict[str, Order]:
-        """Both garments of a picture that shows two, unless one is asked for.
+        """Both garments of a text that names two, or of a picture that shows two, unless one is asked for.
 
         Raises:
             InputError: A picture cannot be read.
         """
-        if not self.image or not self.alter or tailor.picture_reader is None:
-            return {"": order}
-        from dataclasses import replace
+        from swifttailor.tailor.all_parts import orders_of_parts
 
-        from swifttailor.tailor.looking import parts_seen
-
-        pictures = tuple(tailor.look(path) for path in self.image)
-        order = replace(order, image=pictures)
-        seen = parts_seen(pictures)
-        if self.part is not None or len(seen) < 2 or self.text.strip():
-            return {"": order}
-        return {name: replace(order, part=name) for name in seen}
+        parts = orders_of_parts(order, tailor)
+        return {"" if len(parts) == 1 else name: one for name, one in parts.items()}
 
     def folders_within(self) -> tuple[str, ...]:
-        """Of the garments of a picture that shows two."""
-        return ("", *_BOTH) if self.image and self.part is None else ("",)
+        """Of the garments of a text that names two, or of a picture that shows two."""
+        if self.part is not None:
+            return ("",)
+        if self.image:
+            return ("", *_BOTH)
+        from swifttailor.wishes.two_garments import two_garments
+
+        return _BOTH if two_garments(self.text) is not None else ("",)
 
     def _require_request(self) -> None:
         if not self.text.strip() and not self.image:
@@ -141,8 +139,15 @@ class Generate(Making):
                     f"'{path}' was given as a picture, and there is no such file. Put the text before "
                     f'--image: swifttailor generate "{path}" --image {self.image[0]}'
                 )
+        if self.part in _BOTH and not self.image:
+            from swifttailor.wishes.two_garments import two_garments
+
+            if two_garments(self.text) is None:
+                raise InputError(
+                    f"--part {self.part} chooses one of two garments. There is no picture, and the text "
+                    "names no two, one for the upper body and one for the lower. Leave it out."
+                )
         for option, given in (
-            ("--part", self.part is not None),
             ("--read", self.read),
             ("--refine", self.refine is not None),
         ):

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from swifttailor.garment.cloth_print import ClothPrint
     from swifttailor.garment.part_looks import PartLook
     from swifttailor.tailor.looking import SeenPicture
+    from swifttailor.wishes.two_garments import TwoGarments
 
 MOST_SAMPLES = MOST_ATTEMPTS = 64
 USUAL_ATTEMPTS = 4
@@ -33,7 +34,8 @@ Source = Literal["both", "drafts", "designs", "library", "writer"]
 without words,
 known patterns, and written ones where none of these will do; or one of the four alone."""
 Part = Literal["upper", "lower", "whole"]
-"""Where a garment in a picture is worn; ``whole`` is one dress or jumpsuit."""
+"""Where a garment of a picture, or of a text that names two, is worn; ``whole`` is one garment, of a picture
+a dress or jumpsuit."""
 MOST_PICTURES = 2
 NO_READER = (
     "Pictures cannot be read: this version comes without weights of a picture reader. Train one (see "
@@ -59,7 +61,8 @@ class Order:
     looks: tuple[PartLook, ...] = ()
     """Of parts of the garment to change that look otherwise than the rest."""
     part: Part | None = None
-    """Which of the garments in the picture; the one that covers most of it when None."""
+    """Which of the garments in the picture; the one that covers most of it when None. Without a picture which
+    of the two that the text names (`wishes.two_garments`); one garment of the whole text when None."""
     crop: bool = True
     """Whether a picture with a plain background is cropped to what stands before it (`framing`)."""
     samples: int = 1
@@ -95,10 +98,17 @@ class Order:
             raise InputError(
                 f"{len(self.images)} pictures were given; one is accepted, or a front and a back."
             )
-        if self.part is not None and self.image is None:
-            raise InputError(f"part is '{self.part}' and there is no picture; give one, or leave part out.")
         if self.part not in (None, *get_args(Part)):
             raise InputError(f"part is {self.part!r}; {', '.join(get_args(Part))} are accepted.")
+        if self.part is not None and self.image is None and (self.edit is not None or not self.text.strip()):
+            raise InputError(
+                f"part is '{self.part}' and there is neither a picture nor a description; leave part out."
+            )
+        if self.is_of_two and self.outfit is None:
+            raise InputError(
+                f"part is '{self.part}' and the text names no two garments, one for the upper body and one "
+                "for the lower: leave part out."
+            )
         if self.source not in get_args(Source):
             raise InputError(f"source is {self.source!r}; {', '.join(get_args(Source))} are accepted.")
         if self.source in ("library", "designs") and (self.edit is not None or not self.alter):
@@ -127,6 +137,25 @@ class Order:
         return tuple(self.image) if many else (self.image,)
 
     @property
+    def is_of_two(self) -> bool:
+        """Whether it is about one of two garments that the text names."""
+        return self.part in ("upper", "lower") and self.image is None
+
+    @property
+    def outfit(self) -> TwoGarments | None:
+        """The two garments that the description names; None where it names one."""
+        from swifttailor.wishes.two_garments import two_garments
+
+        return two_garments(self.text) if self.edit is None and self.text.strip() else None
+
+    @property
+    def words(self) -> str:
+        """The text; where it is about one of two garments, what the text says of that."""
+        if not self.is_of_two or (outfit := self.outfit) is None:
+            return self.text
+        return outfit.upper if self.part == "upper" else outfit.lower
+
+    @property
     def most_attempts(self) -> int:
         """`attempts`, or what is usual."""
         if self.attempts is not None:
@@ -150,7 +179,7 @@ class Order:
     @property
     def title(self) -> str:
         """A name for the pattern: what was asked for, on one short line."""
-        asked = one_line(self.text)
+        asked = one_line(self.words)
         if self.edit is not None:
             asked = f"{one_line(self.edit.name)}: {asked}"
         if not asked and self.images:
@@ -162,6 +191,7 @@ class Order:
         """For a report: what was given, and all that decides what comes of it; no paths."""
         return {
             "text": self.text,
+            "words": self.words if self.is_of_two else None,
             "images": [_name(one) or True for one in self.images],
             "part": self.part,
             "edited": self.edit.name if self.edit is not None else None,

@@ -287,16 +287,16 @@ def _of_wearer(order: Order) -> tuple[str, ...]:
 
 def _read_order(order: Order, reader: WishReader | None, eyes: ReadsPictures | None) -> Wanted:
     if reader is None or eyes is None or not order.images:
-        if order.part is not None or any(isinstance(one, SeenPicture) for one in order.images):
+        if order.images and (order.part or any(isinstance(one, SeenPicture) for one in order.images)):
             raise InputError(NO_READER if reader is not None else _NOT_READ)
         image, notes = _picture(order)
         if reader is not None and order.images:
             notes = (*notes, _UNREAD)
         if reader is None:
-            return Wanted(order, order.text, image, notes=notes)
+            return Wanted(order, order.words, image, notes=notes)
         heard = _heard(order, reader)
         described = bool(one_line(order.text)) and order.edit is None and order.source != "writer"
-        if described and not order.images and (why := asks_for_none(heard, one_line(order.text))):
+        if described and not order.images and (why := asks_for_none(heard, one_line(order.words))):
             raise NothingAskedError(why)
         return Wanted(order, heard.text, image, heard.sure, heard.likely, notes, heard=heard)
     heard = _heard(order, reader)
@@ -330,7 +330,7 @@ def _read_order(order: Order, reader: WishReader | None, eyes: ReadsPictures | N
 def _heard(order: Order, reader: WishReader) -> Heard:
     """The text of an order, as an instruction where there is a pattern to edit."""
     # Who wears it is heard by `wearing.body_wanted`.
-    rest = hear_wearer(order.text, instruction=order.edit is not None).rest
+    rest = hear_wearer(order.words, instruction=order.edit is not None).rest
     if order.edit is None:
         return hear_description(rest, reader, alone=not order.images)
     return hear_instruction(rest, reader, facts_of(order.edit))

@@ -224,7 +224,9 @@ def order_notes(answer: Answer, wanted: Wanted) -> list[str]:
             "Whether the picture shows a garment was not judged: these weights have no measure for that."
         )
     found += [f"Look at the pattern: {oddity}." for oddity in answer.verdict.oddities]
-    if wanted.text != order.text:
+    if order.is_of_two:
+        found.append(f'Of the two garments, the {order.part} one: "{one_line(order.words, LONGEST_NOTE)}".')
+    if wanted.text != order.words:
         found.append(f"Read as: {one_line(wanted.text, LONGEST_NOTE)}")
     if wanted.misses and not (answer.put_on or answer.taken_off):
         found.append(NOTHING_UNDERSTOOD if order.edit is None else AS_IT_WAS)

@@ -7,7 +7,7 @@ from dataclasses import replace
 from functools import cache
 from itertools import groupby, islice
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from swifttailor.body.wearer import body_of
 from swifttailor.clock import Clock
@@ -20,7 +20,7 @@ from swifttailor.pattern_maker.temperatures import USUAL_TEMPERATURE
 from swifttailor.progress import StageProgress
 from swifttailor.tailor.answer import Answer
 from swifttailor.tailor.order import NO_READER, Image, Order, Part, Source
-from swifttailor.tailor.protocols import PatternWriter, Sewer
+from swifttailor.tailor.protocols import Sewer
 from swifttailor.tailor.reporting import described
 from swifttailor.tailor.sewing import PatternSource, SewingOptions, prepare_sources, read_sources, sew_answers
 from swifttailor.tailor.tailored import Tailored, only
@@ -28,14 +28,10 @@ from swifttailor.tailor.wearing import all_refitted, body_wanted, named_as
 from swifttailor.tailor.workshop import Workshop
 
 if TYPE_CHECKING:
-    from swifttailor.body import Body
-    from swifttailor.draping.fabric import Fabric
     from swifttailor.garment.cloth_print import ClothPrint
     from swifttailor.garment.part_looks import PartLook
-    from swifttailor.pattern_library.known import PatternLibrary
-    from swifttailor.tailor.looking import ReadsPictures, SeenPicture
+    from swifttailor.tailor.looking import SeenPicture
     from swifttailor.tailor.reading import Wanted
-    from swifttailor.wishes.reader import WishReader
 
 Outcome = Tailored | SwiftTailorError
 """A garment, or why there is none."""
@@ -43,33 +39,6 @@ Outcome = Tailored | SwiftTailorError
 
 class Tailor(Workshop):
     """Makes garments from words, pictures and patterns."""
-
-    @classmethod
-    def load(
-        cls,
-        pattern_maker: PatternWriter | Path | str | None = None,
-        garment_sewer: Sewer | Path | str | None = None,
-        *,
-        wish_reader: WishReader | Path | str | None = None,
-        picture_reader: ReadsPictures | Path | str | None = None,
-        pattern_library: PatternLibrary | Path | str | None = None,
-        body: Body | None = None,
-        fabric: Fabric | str = "cotton",
-        fit: bool = False,
-        threads: int = 1,
-    ) -> Tailor:
-        """The same as the constructor, under the name that networks have for it."""
-        return cls(
-            pattern_maker,
-            garment_sewer,
-            wish_reader=wish_reader,
-            picture_reader=picture_reader,
-            pattern_library=pattern_library,
-            body=body,
-            fabric=fabric,
-            fit=fit,
-            threads=threads,
-        )
 
     def look(self, image: Image) -> SeenPicture:
         """What a picture shows: garments, what can be said of each, and where they are.
@@ -104,6 +73,9 @@ class Tailor(Workshop):
         progress: StageProgress | None = None,
     ) -> Tailored:
         """Makes a garment of a description, a picture, or both.
+
+        Of a description of two that are worn together it makes the one that `part` chooses; without it one of
+        the whole text, whose report says that several were asked for. `generate_all` makes both.
 
         Args:
             text: Description.
@@ -142,6 +114,33 @@ class Tailor(Workshop):
             relax=relax,
         )
         return only(self.make(order, progress=progress))
+
+    def generate_all(
+        self,
+        text: str = "",
+        image: Image | SeenPicture | Sequence[Image | SeenPicture] | None = None,
+        *,
+        progress: StageProgress | None = None,
+        **asked: Any,
+    ) -> dict[Part, Tailored]:
+        """Makes all garments of a description, or of a picture: "a blouse and a skirt" is two.
+
+        Args:
+            text: See `generate`.
+            image: See `generate`.
+            progress: See `generate`.
+            asked: All else that `generate` takes.
+
+        Returns:
+            ``upper`` and ``lower``; where there is but one, that is ``whole``, or the part that is chosen.
+
+        Raises:
+            SwiftTailorError: See `generate`.
+        """
+        from swifttailor.tailor.all_parts import orders_of_parts
+
+        orders = orders_of_parts(Order(text, image, **asked), self)
+        return {part: only(self.make(one, progress=progress)) for part, one in orders.items()}
 
     def edit(
         self,

@@ -70,6 +70,33 @@ class Workshop:
         self.body, self.fabric = body, fabric
         self._threads = threads
 
+    @classmethod
+    def load(
+        cls,
+        pattern_maker: PatternWriter | Path | str | None = None,
+        garment_sewer: Sewer | Path | str | None = None,
+        *,
+        wish_reader: WishReader | Path | str | None = None,
+        picture_reader: ReadsPictures | Path | str | None = None,
+        pattern_library: PatternLibrary | Path | str | None = None,
+        body: Body | None = None,
+        fabric: Fabric | str = "cotton",
+        fit: bool = False,
+        threads: int = 1,
+    ) -> Self:
+        """The same as the constructor, under the name that networks have for it."""
+        return cls(
+            pattern_maker,
+            garment_sewer,
+            wish_reader=wish_reader,
+            picture_reader=picture_reader,
+            pattern_library=pattern_library,
+            body=body,
+            fabric=fabric,
+            fit=fit,
+            threads=threads,
+        )
+
     def worn_by(self, body: Body | None) -> Self:
         """The same workshop with the same networks, for another body."""
         other = copy(self)

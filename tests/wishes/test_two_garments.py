@@ -1,0 +1,125 @@
+"""Wishes for two garments that are worn together, and for one garment of which it sounds like two."""
+
+import pytest
+
+from swifttailor.tailor import Order
+from swifttailor.wishes.two_garments import two_garments
+from swifttailor.wording.lexicon import read_words
+from swifttailor.wording.lexicon.outfits import _outfits
+
+TWO = [
+    ("a white blouse and a black pencil skirt", "a white blouse", "a black pencil skirt"),
+    ("blouse and skirt", "blouse", "skirt"),
+    ("two-piece: crop top and maxi skirt", "crop top", "maxi skirt"),
+    ("a navy two-piece: crop top and maxi skirt", "navy crop top", "navy maxi skirt"),
+    ("navy trouser suit", "navy blazer", "navy tailored trousers"),
+    ("a striped pyjamas", "a striped pyjama top", "striped pyjama bottoms"),
+    ("scrubs", "scrub top", "scrub trousers"),
+    ("red bikini", "red bikini top", "red bikini bottoms"),
+    ("salwar kameez in turquoise cotton", "kameez in turquoise cotton", "salwar in turquoise cotton"),
+    ("short-sleeved pyjamas with long legs", "short-sleeved pyjama top", "pyjama bottoms with long legs"),
+    ("suit with a pencil skirt", "blazer", "a pencil skirt"),
+    ("a grey suit with a waistcoat", "a grey blazer with a waistcoat", "grey tailored trousers"),
+    ("a tunic over leggings", "a tunic", "leggings"),
+    ("a long coat over wide trousers", "a long coat", "wide trousers"),
+    ("velvet bodysuit and flared trousers", "velvet bodysuit", "velvet flared trousers"),
+    ("a linen shirt with matching trousers", "a linen shirt", "linen trousers"),
+    (
+        "a black and white striped top and matching shorts",
+        "a black and white striped top",
+        "black and white striped shorts",
+    ),
+    ("a blouse and a black and white skirt", "a blouse", "a black and white skirt"),
+    ("a blouse in navy and a skirt in red", "a blouse in navy", "a skirt in red"),
+    ("a white blouse and skirt", "a white blouse", "white skirt"),
+    ("a navy top and shorts", "a navy top", "shorts"),
+    ("white t-shirt and jeans", "white t-shirt", "jeans"),
+    ("top and shorts in navy linen", "navy linen top", "shorts in navy linen"),
+    ("a blouse and a skirt, both in navy", "a blouse, in navy", "a skirt, in navy"),
+    ("a shirt & trousers in the same fabric", "a shirt", "trousers"),
+    ("a matching set of a cropped tee and shorts", "a cropped tee", "shorts"),
+    (
+        "a loose shirt with puff sleeves and a V neck, and long flowing trousers with a high waist",
+        "a loose shirt with puff sleeves and a V neck",
+        "long flowing trousers with a high waist",
+    ),
+    ("a long, pleated skirt with a short boxy jacket", "a short boxy jacket", "a long, pleated skirt"),
+    ("blouse with a bow + mini skirt", "blouse with a bow", "mini skirt"),
+    ("I'd like a jumper and a skirt, size 14, please", "I'd like a jumper, please", "a skirt, please"),
+    (
+        "for my holiday: a loose shirt, and olive shorts",
+        "for my holiday a loose shirt",
+        "for my holiday olive shorts",
+    ),
+    ("white blose and navy skrit", "white blouse", "navy skirt"),
+    ("eine weiße Bluse und ein schwarzer Rock", "eine weiße Bluse", "ein schwarzer Rock"),
+    ("dunkelblauer Hosenanzug", "dunkelblauer blazer", "dunkelblauer tailored trousers"),
+    ("une chemise blanche et une jupe noire", "une chemise blanche", "une jupe noire"),
+    ("una camisa blanca y una falda negra", "una camisa blanca", "una falda negra"),
+]
+ONE = [
+    "shirt dress",
+    "a dress with a pleated skirt",
+    "a top with a skirt part",
+    "jumpsuit with wide trousers",
+    "a jumpsuit with a shirt collar and trousers with pleats",
+    "dress with a fitted bodice and a full skirt",
+    "a fitted bodice and a full skirt",
+    "skirt with braces",
+    "jeans with a shirt collar",
+    "a shirt to wear with trousers",
+    "a top that goes with my jeans",
+    "a tunic long enough to wear over leggings",
+    "a top to throw over a skirt",
+    "a blouse to go under a suit",
+    "a blouse for under my suit",
+    "a skirt instead of trousers",
+    "not a skirt but a blouse",
+    "a skirt or trousers",
+    "a cardigan over a top",
+    "twin set",
+    "a dress and a jacket",
+    "a dress with shorts",
+    "dungarees with a t-shirt top",
+    "a trouser suit jacket",
+    "a suit jacket with a nipped waist",
+    "a bikini top",
+    "pyjama bottoms",
+    "shorts with a top pocket",
+    "trousers with a jacket pocket",
+    "a wrap skirt with a top band",
+    "a skirt with shorts underneath",
+    "a skirt with a blouse collar",
+    "something that looks like a top and skirt but is one piece",
+    "a top and skirt, sewn together",
+    "I have a grey jacket and need trousers to match",
+    "a white shirt with black collar and cuffs",
+    "a coat dress with a flared skirt",
+    "a two tier skirt, and then if you can also do a matching bandeau, but the skirt please",
+]
+
+
+@pytest.mark.parametrize(("text", "upper", "lower"), TWO)
+def test_two_garments_are_told_apart_each_with_its_words(text, upper, lower):
+    found = two_garments(text)
+    assert found is not None
+    assert (found.upper, found.lower) == (upper, lower)
+
+
+@pytest.mark.parametrize("text", ONE)
+def test_one_garment_is_never_parted(text):
+    assert two_garments(text) is None
+
+
+def test_every_outfit_of_the_table_is_made_of_garments_of_both_halves():
+    for name, outfit in _outfits().items():
+        assert two_garments(name) is not None, name
+        for garment in (outfit.upper, outfit.lower):
+            assert not read_words(garment).unknown, garment
+
+
+def test_an_order_for_a_part_is_about_its_words_and_keeps_the_wish():
+    order = Order("a white blouse and a black skirt", part="lower")
+    assert order.words == order.title == "a black skirt"
+    assert order.to_json()["text"] == "a white blouse and a black skirt"
+    assert Order("a white blouse and a black skirt").words == "a white blouse and a black skirt"
