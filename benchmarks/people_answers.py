@@ -2,7 +2,8 @@
 
 python benchmarks/people_answers.py HALF [--misses] [--count N]; halves are those of `_FILES`
 
-Patterns are written as `generate` writes them, and measured. Of the final half only counts are printed.
+Patterns are written as `generate` writes them, and measured; of two garments a statement holds if it does of
+one of them, and what is refused is so if it is of both. Of the final half only counts are printed.
 """
 
 from __future__ import annotations
@@ -20,6 +21,7 @@ from swifttailor.describing.claims import CLAIM_TYPES, claims_of
 from swifttailor.describing.measuring import measure_facts
 from swifttailor.errors import SwiftTailorError
 from swifttailor.tailor import Order
+from swifttailor.tailor.all_parts import orders_of_parts
 
 _FILES = {
     "building": WORDS / "building" / "prompts.jsonl",
@@ -47,28 +49,34 @@ def met(expected: Expectation, facts: object) -> bool:
 
 def judge(prompt: PeoplePrompt, tailor: swifttailor.Tailor, counts: Counter[str], misses: list[str]) -> None:
     """Makes the pattern of one prompt and counts what holds."""
-    (answer,) = tailor.write([Order(prompt.text)])
+    answers = tailor.write(list(orders_of_parts(Order(prompt.text), tailor).values()))
     musts = [e for e in prompt.expect if e.sure == "must"]
-    if isinstance(answer, SwiftTailorError):
+    made = [one for one in answers if not isinstance(one, SwiftTailorError)]
+    if not made:
         counts["none made"] += 1
         counts["statements"] += len(musts)
-        misses.append(f"{prompt.id} none made: {prompt.text}: {answer}")
+        misses.append(f"{prompt.id} none made: {prompt.text}: {answers[0]}")
         return
-    facts = measure_facts(answer.pattern)
-    open_ones = [e for e in musts if not met(e, facts)]
-    broken = [n.claim for n in prompt.never if any(Claim(n.claim, v).holds(facts) for v in n.values)]
+    counts["two made"] += len(made) > 1
+    garments = [measure_facts(one.pattern) for one in made]
+    open_ones = [e for e in musts if not any(met(e, facts) for facts in garments)]
+    broken = [
+        n.claim
+        for n in prompt.never
+        if all(any(Claim(n.claim, v).holds(facts) for v in n.values) for facts in garments)
+    ]
+    said = [doubt for one in made for doubt in doubts(one)]
     counts["statements"] += len(musts)
     counts["hold"] += len(musts) - len(open_ones)
     counts["refused, and so"] += len(broken)
     whole = not open_ones and not broken
     counts["prompts in all"] += whole
-    counts["wrong in silence"] += not whole and not doubts(answer)
+    counts["wrong in silence"] += not whole and not said
     if not whole:
         wanted = [f"{e.claim}={'/'.join(e.values) or e.number}" for e in open_ones]
-        seen = [f"{c.name}={c.value}" for c in claims_of(facts) if c.name in {e.claim for e in open_ones}]
-        misses.append(
-            f"{prompt.id} {prompt.text!r}: wanted {wanted}, never {broken}; is {seen}; {doubts(answer)}"
-        )
+        names = {e.claim for e in open_ones}
+        seen = [f"{c.name}={c.value}" for facts in garments for c in claims_of(facts) if c.name in names]
+        misses.append(f"{prompt.id} {prompt.text!r}: wanted {wanted}, never {broken}; is {seen}; {said}")
 
 
 def main() -> None:
@@ -93,7 +101,7 @@ def main() -> None:
     print(f"  expected statements that hold: {counts['hold']} of {counts['statements']}")
     print(f"  wishes of which all holds and nothing refused is so: {counts['prompts in all']}")
     print(f"  wrong in silence: {counts['wrong in silence']}; none made: {counts['none made']}")
-    print(f"  refused, and so: {counts['refused, and so']}")
+    print(f"  refused, and so: {counts['refused, and so']}; wishes for two garments: {counts['two made']}")
     if args.misses and args.half != "final":
         print("\n".join(misses))
 

@@ -44,14 +44,14 @@ def main() -> None:
         for k, prompt in enumerate(drawn[first : first + each]):
             x, y = (k % _COLUMNS) * _SIZE[0], (k // _COLUMNS) * (_SIZE[1] + _TEXT)
             try:
-                made = tailor.generate(prompt.text)
-                sheet.paste(
-                    Image.fromarray(
-                        draw_preview(made.garment, made.body or swifttailor.Body.default(), size=_SIZE)
-                    ),
-                    (x, y + _TEXT),
+                made = tailor.generate_all(prompt.text)
+                size = _SIZE[0] // len(made), _SIZE[1]
+                for n, one in enumerate(made.values()):  # two garments stand side by side
+                    shown = draw_preview(one.garment, one.body or swifttailor.Body.default(), size=size)
+                    sheet.paste(Image.fromarray(shown), (x + n * size[0], y + _TEXT))
+                said = "; ".join(
+                    line for one in made.values() for line in (*doubts(one.answer), *left_out(one.answer))
                 )
-                said = "; ".join([*doubts(made.answer), *left_out(made.answer)])
             except SwiftTailorError as error:
                 said = str(error)
             lines = (

@@ -13,7 +13,7 @@ TWO = [
     ("two-piece: crop top and maxi skirt", "crop top", "maxi skirt"),
     ("a navy two-piece: crop top and maxi skirt", "navy crop top", "navy maxi skirt"),
     ("navy trouser suit", "navy blazer", "navy tailored trousers"),
-    ("a striped pyjamas", "a striped pyjama top", "striped pyjama bottoms"),
+    ("a striped pyjamas", "a striped long sleeved pyjama top", "striped pyjama bottoms"),
     ("scrubs", "scrub top", "scrub trousers"),
     ("red bikini", "red bikini top", "red bikini bottoms"),
     ("salwar kameez in turquoise cotton", "kameez in turquoise cotton", "salwar in turquoise cotton"),

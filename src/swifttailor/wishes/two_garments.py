@@ -37,6 +37,7 @@ _IN = re.compile(r"(?<!\w)(?:in|of|made|from|aus|en|de|con|em)(?!\w)", re.IGNORE
 _DENIM = re.compile(r"jean|denim", re.IGNORECASE)
 _OF = re.compile(r"\s+(?:of|consisting of|made up of|aus|de)(?!\w)", re.IGNORECASE)
 _SAID_BEFORE = ("fits", "occasions", "styles")
+_NAMES = ("garments", *LOOKS)
 _JOINED = ("", "and", "&", "und", "et", "y")
 _SINGULAR = frozenset("a an one ein eine einen un une una uno een um uma".split())
 _OTHER: dict[Half, Half] = {"upper": "lower", "lower": "upper"}
@@ -111,6 +112,8 @@ class _Outfit:
         self._text, self._words, self._pieces, self._chunks = text, words, pieces, chunks
         elsewhere = [look for look in words.looks if look.part not in ("", "all")]
         self._of_parts = {id(mark) for look in elsewhere for mark in look.marks}
+        self._garments = [mark for mark, _ in pieces.named]
+        self._garments += [*pieces.outfits, *[one.mark for one in pieces.two.values()]]
         self._matching = _MATCHING.search(text) is not None
         self._owners = self._find_owners()
 
@@ -162,7 +165,7 @@ class _Outfit:
         piece = self._pieces.two[half]
         put = " ".join([*self._of_the_set(half), *self._taken_over(half)])
         put = f"{put} " if put else ""
-        name = piece.mark.word if piece.name is None else piece.name
+        name = piece.mark.word if piece.name is None else self._usual(half, piece.name)
         edits = [(piece.mark.start, piece.mark.end, put + name)]
         if piece.name is not None and name.endswith("s"):
             before = lead(piece.mark, next(chunk for chunk in self._chunks if chunk.has(piece.mark)))
@@ -196,6 +199,14 @@ class _Outfit:
                 marks = [m for m in chunk.marks if _category(m) in of and self._told(m) != _OTHER[half]]
                 found += [mark.word for mark in marks if not self._is_same(mark)]
         return found
+
+    def _usual(self, half: Half, name: str) -> str:
+        """What a name of both stands for, without what is usual where the text has details of its own."""
+        if not any(self._told(mark) == half and mark not in self._garments for mark in self._words.marks):
+            return name
+        marks = read_words(name).marks
+        kept = [m.word for m in marks if half_told(m, "en") is None or _category(m) in _NAMES]
+        return " ".join(kept)
 
     def _taken_over(self, half: Half) -> list[str]:
         """The colours and cloths of the other garment, where they are said of both."""
