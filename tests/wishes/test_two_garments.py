@@ -90,6 +90,8 @@ ONE = [
     "a wrap skirt with a top band",
     "a skirt with shorts underneath",
     "a skirt with a blouse collar",
+    "a skirt with a top layer of tulle",
+    "trousers that look good with a blouse",
     "something that looks like a top and skirt but is one piece",
     "a top and skirt, sewn together",
     "I have a grey jacket and need trousers to match",

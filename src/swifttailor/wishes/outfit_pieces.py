@@ -24,10 +24,13 @@ _FILLERS = DETERMINERS | frozenset(
 _OWN = frozenset("my her his their our your have has had own got bought like from or".split())
 _PLACES = frozenset(
     "pocket pockets button buttons zip zips zipper stitching front fronts part parts bit bits section "
-    "sections panel panels shape effect style styles look lining length half band bands".split()
+    "sections panel panels shape effect style styles look lining length half band bands "
+    "layer layers".split()
 )
 """What makes a name of it: a top pocket is no top."""
 _ASIDE = ("theirs", "like")
+_GOES_WELL = re.compile(r"(?<!\w)(?:good|well|nice|nicely|great|best|fine|lovely)\s*$", re.IGNORECASE)
+"""Before what joins a garment: that the other is worn with it, as it may be there already."""
 _ONE = re.compile(
     r"(?<!\w)(?:one[- ]pieces?|all[- ]in[- ]one|(?:two |2 )?in (?:one|1)(?! of)|attached|joined|combined"
     r"|built[- ]in|sewn (?:on|to|together)|looks? like (?:a )?(?:two|2)|faux (?:two|2)"
@@ -109,6 +112,8 @@ def are_asked_for(text: str, pieces: Pieces, chunks: Sequence[Chunk]) -> bool:
     before, behind = sorted([one.mark for one in pieces.two.values()], key=lambda mark: mark.start)
     chunk = next(one for one in chunks if one.has(behind))
     if not chunk.joined or chunk.has(before) or "?" in text[chunk.start : behind.start]:
+        return False
+    if _GOES_WELL.search(text[: chunk.start]):
         return False
     return not _is_owned(before, chunks) and all(_may_lead(mark) for mark in lead(behind, chunk))
 
