@@ -10,7 +10,7 @@ import numpy as np
 from swifttailor.arrays import Floats
 from swifttailor.body import Body
 from swifttailor.draping.fabric import Fabric
-from swifttailor.draping.simulation import SimulationSettings, fall, grow
+from swifttailor.draping.simulation import SimulationSettings, fall, grow, smooth_down
 from swifttailor.draping.worn_garment import worn_garment
 from swifttailor.errors import SimulationError
 from swifttailor.garment.garment import Garment
@@ -31,6 +31,7 @@ def relax(
     body: Body | None = None,
     fabric: Fabric | str = "cotton",
     frames: int = FRAMES,
+    smoothed: int = 0,
     grown_from: Floats | None = None,
     progress: StageProgress | None = None,
 ) -> Garment:
@@ -41,6 +42,7 @@ def relax(
         body: What it is worn by; the one that the pattern was drafted for, else the default body, when None.
         fabric: A `Fabric` or the name of a preset.
         frames: For so many sixtieths of a second.
+        smoothed: For so many before it is smoothed down over the body.
         grown_from: (v, 3) where its cloth lies smoothly but too short, cm: it grows to its lengths from there
             before it falls, in `GROWING_FRAMES`.
         progress: Called with the stage's name and the share of it that is done.
@@ -59,6 +61,8 @@ def relax(
     if grown_from is not None:
         simulation.positions[:] = grown_from
         grow(simulation, GROWING_FRAMES, say)
+    if smoothed:
+        smooth_down(simulation, smoothed, worn.body.measurements.armpit_level, say)
     fall(simulation, frames, DAMPING, say)
     if not np.isfinite(simulation.positions).all():
         raise SimulationError(

@@ -32,6 +32,8 @@ from swifttailor.progress import StageProgress
 _FOOTPRINT_LEVEL = 2.0
 _SEWING_BENDING = 20.0
 _GROWING_BENDING, _GROWN_FRAMES = 5.0, 2
+_SMOOTHING_PULL, _SMOOTHING_FRICTION, _SMOOTHING_DAMPING = 4.0, 0.1, 10.0
+"""Of a hand that smooths cloth down: its pull at first over the cloth's weight; what is left of friction."""
 _UNTANGLING = 0.1
 _LET_GO_AFTER = 30
 _MIN_FRAMES, _MIN_FREE_FRAMES = 30, 15
@@ -251,6 +253,37 @@ def fall(simulation: Simulation, frames: int, damping: float, progress: StagePro
             max_speed=_FALLING_SPEED,
             long_edges=k < 15,
         )
+        progress("relaxing", (k + 1) / frames)
+
+
+def smooth_down(simulation: Simulation, frames: int, below: float, progress: StageProgress) -> None:
+    """Pulls the garment down over the body, as hands do that smooth a back which has ridden up.
+
+    Cloth that was put there, and not drawn on, lies in rolls above the seat, and friction keeps it so. The
+    pull grows less until the cloth hangs by its own weight, for what is let go of at once springs back.
+
+    Args:
+        simulation: Of a garment that is worn already.
+        frames: For so many sixtieths of a second.
+        below: What lies below this height is pulled, cm; collars, hoods and shoulders stay where they are.
+        progress: Called with the stage's name and the share of it that is done.
+    """
+    simulation.hold()
+    pulled = simulation.positions[:, 1] < below
+    upper = simulation.positions[~pulled]
+    for k in range(frames):
+        pull = (_SMOOTHING_PULL - 1.0) * (1.0 - k / frames)
+        simulation.velocities[pulled, 1] -= pull * GRAVITY / FRAME_RATE
+        simulation.frame(
+            gravity=GRAVITY,
+            damping=_SMOOTHING_DAMPING,
+            friction=_SMOOTHING_FRICTION * simulation.fabric.friction,
+            self_collision=simulation.settings.self_collision,
+            max_speed=_FALLING_SPEED,
+            long_edges=k < 15,
+        )
+        simulation.positions[~pulled] = upper
+        simulation.velocities[~pulled] = 0.0
         progress("relaxing", (k + 1) / frames)
 
 

@@ -39,6 +39,8 @@ OVERLAPPING_FRAMES = 24
 """So long fronts fall that overlap."""
 PLEATED_FRAMES = 24
 """So long pleats fall after they were laid."""
+SMOOTHED_FRAMES = 16
+"""For so long what is not crumpled is smoothed down before: close backs lie in rolls above the seat else."""
 MORE_CROSSINGS = 0.01
 """So many more, per face, may an edge and a face cross than before: a fold that touches itself is better than
 cloth that is too short all over."""
@@ -89,8 +91,17 @@ def relaxed(
     apart = legs_apart(begun.mesh, start, hips=body.measurements.hips)
     if apart is not None:
         frames, smooth = max(frames, APART_FRAMES), apart
+    smoothed = SMOOTHED_FRAMES if pleated is None and smooth is None else 0
     try:
-        fallen = relax(begun, body=body, fabric=fabric, frames=frames, grown_from=smooth, progress=progress)
+        fallen = relax(
+            begun,
+            body=body,
+            fabric=fabric,
+            frames=frames,
+            smoothed=smoothed,
+            grown_from=smooth,
+            progress=progress,
+        )
     except SimulationError as error:
         return replace(garment, report=garment.report | {"not_relaxed": str(error)})
     seconds = fallen.report["seconds"]
