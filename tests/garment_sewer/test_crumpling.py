@@ -153,6 +153,16 @@ def test_collars_lie_on_the_bodice_and_not_in_it(sewer, name):
     assert _crossings(made.mesh, made.vertices) > 10 > 3 >= _crossings(made.mesh, relaxed(made).vertices)
 
 
+def test_collars_of_close_shirts_stay_turned_down(sewer):
+    fallen = relaxed(sewer.sew(draft("shirt", chest_ease=4.0, waist_shaping=2.5)))
+    mesh = fallen.mesh
+    heights = {}
+    for part in ("collar_back", "collar_fall_back"):
+        of_part = np.array([part in panel.name for panel in mesh.pattern.panels])
+        heights[part] = fallen.vertices[mesh.weld[of_part[mesh.flat_panel]], 1]
+    assert np.median(heights["collar_fall_back"]) < np.median(heights["collar_back"]) + 1.0
+
+
 def test_sleeves_and_hoods_are_not_smoothed(sewer):
     """While they are smooth they are short, and slip up the arm and off the head."""
     pattern = draft("robe")

@@ -15,6 +15,9 @@ from swifttailor.pattern.overlaps import overlapping_fronts
 LIFTED_CM, TURNED_DOWN_CM = 0.6, 1.3
 """So far collars are lifted off the bodice that they lie on. Of those that are
 turned down over a stand both are lifted by the latter, and what is turned down twice."""
+_FALLS_RISE = 0.5
+"""Part of the rise of the second lift, on the slope of the shoulders: with all of it what is turned down may
+turn up again; with less than half it passes through what it lies on."""
 OVERLAPPING_CM = 1.5
 """So far above the lower one the upper of two fronts that overlap is lifted."""
 _AXIS_CM = 10.0
@@ -38,7 +41,10 @@ def layers_lifted(garment: Garment, body: Body) -> Floats:
     lift = TURNED_DOWN_CM if falls.any() else LIFTED_CM
     for lifted in filter(np.any, (collars, falls)):
         alone = _alone(mesh, lifted)
-        vertices[alone] += lift * _away(body, vertices[alone])[1]
+        away = _away(body, vertices[alone])[1]
+        if lifted is falls:
+            away[:, 1] *= _FALLS_RISE
+        vertices[alone] += lift * away
     for upper, lower in overlapping_vertices(mesh):
         vertices[upper] += _above(vertices[upper], vertices[lower])
     return vertices
