@@ -19,6 +19,7 @@ from swifttailor.pattern.drafts.draft_names import (
     NamedDraft,
 )
 from swifttailor.wishes.bared_drafts import bared_as_asked
+from swifttailor.wishes.close_drafts import SHAPED_TO_CM, close_as_asked
 from swifttailor.wishes.held_drafts import held_as_asked
 from swifttailor.wishes.hooded_drafts import hooded_as_asked
 from swifttailor.wishes.legged_drafts import legs_as_asked
@@ -51,9 +52,6 @@ _STRAIGHT, _TENT = Claim("bodice", "undarted"), Claim("bodice", "flared")
 _STRAIGHT_CM, _TENT_CM = 10.0, 28.0
 """Room up to which a dress falls straight, and by how much the hem of a tent top is wider, all around."""
 _SKATER_CM = 50.0
-_SHAPED = ("t-shirt", "tank-top", "turtleneck")
-_CLOSE_CM, _SHAPING_CM = 3.0, 3.0
-"""Of close tops: room on top of the bust girth, and how far each side bends in at the waist."""
 _SHORT = ("cap", "short", "elbow")
 _GATHERED_SKIRT, _GATHERS = Claim("skirt", "gathered"), 2.0
 """What a shirt dress is asked for, and the width of its skirt over the waist then."""
@@ -142,7 +140,9 @@ def draft_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft | N
         draft = replace(draft, options=tuple({**dict(draft.options), "gathers": _GATHERS}.items()))
     if draft.name == "skater-dress" and any(claim.name == "slit" for claim in claims):
         draft = NamedDraft("fitted-dress", (("skirt_length", _SLIT_SKIRT_CM),))  # where a slit is seen
-    draft = bared_as_asked(held_as_asked(_hanging_loose(_close(draft, claims), claims), claims), claims)
+    draft = bared_as_asked(
+        held_as_asked(_hanging_loose(close_as_asked(draft, claims), claims), claims), claims
+    )
     draft = sleeves_as_asked(draft, claims)
     if draft.name in _ON_SHOULDERS and _THIN_STRAPS in claims:
         return None
@@ -168,8 +168,6 @@ _CROPPED: Mapping[str, tuple[str, Mapping[str, float]]] = {
     ),
 }
 """Where the hems of drafts are that are asked to end above the hips, cm below the waist, and their room."""
-_SHAPED_TO_CM = 7.0
-"""What is darted to the waist may end so far below it; above, it would seem cropped."""
 _WITH_WINGS_CM: Mapping[str, float] = {"t-shirt": 8.0, "sweatshirt": 12.0}
 """Hems of tops whose sleeves are cut in one lie at least so far below the waist, cm: above shorter ones such
 sleeves do not follow the arm."""
@@ -190,7 +188,7 @@ def _cropped(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     if not asked:
         return draft
     own = dict(draft.options)
-    if own.get("waist_shaping") and 0.0 <= asked[0] <= float(own.get("length", 99.0)) <= _SHAPED_TO_CM:
+    if own.get("waist_shaping") and 0.0 <= asked[0] <= float(own.get("length", 99.0)) <= SHAPED_TO_CM:
         return draft
     options = {**own, "length": asked[0]}
     if options.get(ARMHOLE) == "cut-in-one":
@@ -334,18 +332,6 @@ def _without_sleeves(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
             draft, options=tuple({**options, "skirt_fraction": 0.3, "length": _SLIT_SKIRT_CM}.items())
         )
     return draft
-
-
-def _close(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
-    """A top that is to be close, its sides bent in at the waist."""
-    options = dict(draft.options)
-    if draft.name not in _SHAPED or Claim("fit", "close") not in claims or SIDE_SLITS in options:
-        return draft
-    short = float(options.get("length", 99.0)) <= _SHAPED_TO_CM
-    if short and options.get("waist_shaping") and not options.get("stretch"):  # darted, so close as it is
-        return draft
-    options["chest_ease"] = min(float(options.get("chest_ease", _CLOSE_CM)), _CLOSE_CM)
-    return replace(draft, options=tuple({**options, "waist_shaping": _SHAPING_CM}.items()))
 
 
 def _hanging_loose(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:

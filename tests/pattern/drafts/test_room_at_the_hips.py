@@ -31,3 +31,12 @@ def test_bent_sides_end_wider_than_straight_ones() -> None:
     )
 
     assert sum(hem_half(bent, s) for s in "fb") >= sum(hem_half(straight, s) for s in "fb") + 1.0
+
+
+@pytest.mark.parametrize("name", ["shirt", "polo-shirt"])
+def test_close_shirts_bend_in_and_have_room_at_the_hips(name: str) -> None:
+    shirt = swifttailor.draft(name, chest_ease=4.0, waist_shaping=2.5)
+    body = FIGURE.girth_below_waist(22.0)
+    assert 2 * sum(hem_half(shirt, side) for side in "fb") >= body.girth + 4.0
+    straight = swifttailor.draft(name, chest_ease=4.0)
+    assert sum(hem_half(shirt, s) for s in "fb") > sum(hem_half(straight, s) for s in "fb")
