@@ -40,3 +40,11 @@ def test_close_shirts_bend_in_and_have_room_at_the_hips(name: str) -> None:
     assert 2 * sum(hem_half(shirt, side) for side in "fb") >= body.girth + 4.0
     straight = swifttailor.draft(name, chest_ease=4.0)
     assert sum(hem_half(shirt, s) for s in "fb") > sum(hem_half(straight, s) for s in "fb")
+
+
+@pytest.mark.parametrize("name", ["denim-jacket", "bomber-jacket"])
+def test_bands_of_short_jackets_lie_close(name: str) -> None:
+    jacket = swifttailor.draft(name)
+    low = [jacket.panel(f"wb_{side}").vertices for side in ("front", "back")]
+    band = sum(float(np.ptp(corners[:, 0])) for corners in low)
+    assert band < FIGURE.girth_below_waist(14.0).girth + 4.0

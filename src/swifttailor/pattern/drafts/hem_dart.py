@@ -7,11 +7,11 @@ from dataclasses import dataclass
 from swifttailor.pattern.drafts.figure import Figure
 from swifttailor.pattern.drafts.outline import Outline, Point
 
-_EASE_CM = 4.0
+_EASE_CM = 2.0
 """Room at the hem over the body there, cm around."""
-_WIDEST = {True: 5.0, False: 3.0}
+_WIDEST = {True: 5.0, False: 4.5}
 """Of a dart in front and behind, cm; wider ones pucker at their tips."""
-_LEAST = {True: 2.5, False: 1.2}
+_LEAST = {True: 2.5, False: 2.0}
 """The same: without one, cloth hangs straight down from the bust, however narrow its hem."""
 _BELOW_BUST_CM, _BELOW_UNDERARM_CM = 2.0, 3.0
 """How far below the bust, and behind below the underarm, a dart ends."""

@@ -31,6 +31,11 @@ from swifttailor.pattern.pattern import Pattern
 _INSET_CM = 2.0
 """How far armholes without sleeves lie inside the shoulder tips."""
 
+HemBandEase = Annotated[
+    float, Option("Room of the hem band on top of the body there, all around.", "cm", 0.0, 20.0)
+]
+"""All of it lies behind: with much, bands of short jackets stand off there like a shelf."""
+
 
 @dataclass(frozen=True)
 class BandedOptions:
@@ -50,9 +55,7 @@ class BandedOptions:
     cuff_ease: declared.CuffWidth = 5.0
     hem_band: Annotated[bool, Option("Sew a ribbed band to the hem.")] = True
     hem_band_height: Annotated[float, Option("Height of the hem band.", "cm", 3.0, 10.0)] = 6.0
-    hem_band_ease: Annotated[
-        float, Option("Room of the hem band on top of the body there, all around.", "cm", 0.0, 20.0)
-    ] = 4.0
+    hem_band_ease: HemBandEase = 4.0
 
 
 @dataclass(frozen=True)
@@ -95,6 +98,7 @@ class BomberJacketOptions(BandedOptions):
     neck_depth: declared.HighNeckDepth = 8.0
     collar_height: Annotated[float, Option("Height of the collar.", "cm", 2.0, 6.0)] = 4.0
     armhole: RaglanOption = "set-in"
+    hem_band_ease: HemBandEase = 1.0
 
 
 def draft_bomber_jacket(options: BomberJacketOptions, measurements: Measurements) -> Pattern:
@@ -118,9 +122,7 @@ class DenimJacketOptions(BandedOptions):
     collar: SewnCollarOption = "shirt"
     collar_height: CollarHeight = 4.0
     arm_ease: declared.ArmEase = 9.0
-    hem_band_ease: Annotated[
-        float, Option("Room of the hem band on top of the body there, all around.", "cm", 0.0, 20.0)
-    ] = 8.0
+    hem_band_ease: HemBandEase = 3.0
     collar_width: declared.CollarWidth = 6.0
 
 
