@@ -37,6 +37,7 @@ SLITS = [Claim("slit", "left"), Claim("slit", "right")]
         ("shirt", [Claim("fit", "close")], "shirt(waist_shaping=2.5;chest_ease=4)"),
         ("polo-shirt", [Claim("fit", "close")], "polo-shirt(waist_shaping=2.5;chest_ease=4)"),
         ("blazer(waist_shaping=3)", [Claim("fit", "close")], "blazer(waist_shaping=3;chest_ease=4)"),
+        ("camisole", [Claim("fit", "close")], "camisole(chest_ease=3;flare=0;waist_shaping=2)"),
         ("shirt", [Claim("sleeves", "short")], "shirt(sleeve_length=22;sleeve_end=34;cuffs=false)"),
         ("sweatshirt(length=20)", [LAPEL], "polo-shirt(length=20;sleeve_length=58;sleeve_end=23)"),
         ("swing-dress", [LAPEL], "swing-dress(collar=folded)"),

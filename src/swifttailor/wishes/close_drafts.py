@@ -18,6 +18,8 @@ _PULLED_ON: Mapping[str, tuple[float, float]] = dict.fromkeys(
 _BUTTONED: Mapping[str, tuple[float, float]] = dict.fromkeys(("shirt", "polo-shirt", "blazer"), (4.0, 2.5))
 """The same of what has buttons; made close by cutting it would be too narrow at the hips, and ride up."""
 
+_CAMISOLE: Mapping[str, float] = {"chest_ease": 3.0, "flare": 0.0, "waist_shaping": 2.0}
+
 
 def close_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     """A top that is to be close, its sides bent in at the waist; others as they are.
@@ -33,6 +35,8 @@ def close_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
         room, shaping = _BUTTONED[draft.name]
         options["chest_ease"] = min(float(options.get("chest_ease", room)), room)
         return replace(draft, options=tuple({"waist_shaping": shaping, **options}.items()))
+    if draft.name == "camisole":
+        return replace(draft, options=tuple({**options, **_CAMISOLE}.items()))
     if draft.name not in _PULLED_ON:
         return draft
     room, shaping = _PULLED_ON[draft.name]

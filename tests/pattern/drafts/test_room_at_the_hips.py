@@ -48,3 +48,11 @@ def test_bands_of_short_jackets_lie_close(name: str) -> None:
     low = [jacket.panel(f"wb_{side}").vertices for side in ("front", "back")]
     band = sum(float(np.ptp(corners[:, 0])) for corners in low)
     assert band < FIGURE.girth_below_waist(14.0).girth + 4.0
+
+
+def test_close_camisoles_bend_in_and_have_equal_room_at_the_hem() -> None:
+    close = swifttailor.draft("camisole", chest_ease=3.0, flare=0.0, waist_shaping=2.0)
+    body = FIGURE.girth_below_waist(20.0)
+    front, back = (hem_half(close, side) for side in "fb")
+    assert front - body.front == pytest.approx(back - body.back, abs=0.05)
+    assert front + back > body.front + body.back

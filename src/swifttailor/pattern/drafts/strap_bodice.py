@@ -4,10 +4,18 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from swifttailor.pattern.drafts.bodice import BACK_Z, FRONT_Z, HEM_BALANCE, SIDE_MINIMUM, sew_torso
+from swifttailor.pattern.drafts.bodice import (
+    BACK_Z,
+    FRONT_Z,
+    HEM_BALANCE,
+    SHORT_CM,
+    SIDE_MINIMUM,
+    sew_torso,
+)
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure
 from swifttailor.pattern.drafts.outline import Outline
+from swifttailor.pattern.drafts.side_seam import as_long, draw_side, runs_back, side_length
 
 OVER_BUST = 8.5
 """Height of the front's upper corners over the fullest part of the bust, cm."""
@@ -19,6 +27,8 @@ STRAP_PLACE = 0.36
 """Where the straps lie, as a part of the way from neck to shoulder tip: further out they slide off."""
 STRAP_LIFT = 0.4
 """Part of the front's extra length over the bust that the straps have."""
+_HIP_CM, _SHAPED_HIP_CM = 6.0, 2.0
+"""Least room over the body at the hem, cm around; of sides that bend in, besides what they lose above it."""
 
 
 @dataclass(frozen=True)
@@ -35,6 +45,8 @@ class StrapBodice:
     """How far the front falls between the straps, cm."""
     flare: float = 0.0
     """Extra width at the hem, cm around."""
+    waist_shaping: float = 0.0
+    """How far each side seam bends inward between underarm and hem, cm."""
 
 
 def lay_strap_bodice(table: CuttingTable, figure: Figure, shape: StrapBodice) -> None:
@@ -45,9 +57,12 @@ def lay_strap_bodice(table: CuttingTable, figure: Figure, shape: StrapBodice) ->
     chest = figure.bust.eased(shape.chest_ease)
     hem_y = figure.waist_y - shape.length
     under_y = max(figure.armpit_y - 1.5, hem_y + SIDE_MINIMUM)
-    body = figure.girth_below_waist(shape.length).eased(6.0)
+    shaping = shape.waist_shaping if shape.length >= SHORT_CM else 0.0
+    body = figure.girth_below_waist(shape.length).eased(_SHAPED_HIP_CM + 2 * shaping if shaping else _HIP_CM)
     widening = max(body.girth - chest.girth, 0.0) / 4 if shape.length > 0 else 0.0
     widening += shape.flare / 4
+    behind = runs_back(chest, body, widening, under_y - hem_y) if shaping else 0.0
+    front_corner = (chest.front + widening - behind, hem_y + 0.5)
     for side, half in (("f", chest.front), ("b", chest.back)):
         front = side == "f"
         drop = HEM_BALANCE * figure.front_fullness if front else 0.0
@@ -55,8 +70,12 @@ def lay_strap_bodice(table: CuttingTable, figure: Figure, shape: StrapBodice) ->
         base_y = figure.bust_y + OVER_BUST if front else under_y + OVER_UNDERARM
         base_y = max(base_y, under_y + 0.5)
         outline = Outline(0.0, hem_y - drop)
-        outline.quadratic("hem", ((half + widening) * 0.6, hem_y - drop), (half + widening, hem_y + 0.5))
-        outline.line("side", half, under_y)
+        corner = front_corner if front else (half + widening + behind, hem_y + 0.5)
+        if shaping and not front:
+            seam = side_length(front_corner, (chest.front, under_y), shaping)
+            corner = as_long(seam, corner, (half, under_y), shaping)
+        outline.quadratic("hem", (corner[0] * 0.6, hem_y - drop), corner)
+        draw_side(outline, (half, under_y), shaping, 0.0)
         low = max(base_y - (shape.dip if front else 0.0), hem_y - drop + SIDE_MINIMUM)
         draw_top_on_strap(outline, figure, shape.strap, base_y=base_y, low=low, lift=lift)
         outline.line("centre", *outline.sides[0].start).closed()

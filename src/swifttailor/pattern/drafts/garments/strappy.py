@@ -42,11 +42,19 @@ class CamisoleOptions:
     flare: declared.HemFlare = 2.0
     strap_width: StrapWidth = 1.5
     dip: FrontDip = 3.0
+    waist_shaping: declared.WaistShaping = 0.0
 
 
 def draft_camisole(options: CamisoleOptions, measurements: Measurements) -> Pattern:
     """Drafts the camisole for a body."""
-    bodice = StrapBodice(options.strap_width, options.chest_ease, options.length, options.dip, options.flare)
+    bodice = StrapBodice(
+        options.strap_width,
+        options.chest_ease,
+        options.length,
+        options.dip,
+        options.flare,
+        options.waist_shaping,
+    )
     return _on_straps("camisole", bodice, measurements)
 
 
