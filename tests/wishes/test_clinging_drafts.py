@@ -82,3 +82,11 @@ def test_sports_tops_end_below_the_seat_where_no_length_is_told(reader):
     assert dict(first.options)["length"] > 30.0
     (bra, *_) = hear_description("a sports bra", reader).drafts
     assert bra.name == "tank-top" and dict(bra.options)["length"] < 0.0
+
+
+def test_fitted_t_shirts_end_at_the_hip_and_baby_tees_at_the_waist(reader):
+    lengths = [
+        dict(hear_description(text, reader).drafts[0].options).get("length", 22.0)
+        for text in ("a men's fitted T-shirt", "a slim fit tee", "a baby tee")
+    ]
+    assert lengths == [22.0, 22.0, 6.0]
