@@ -33,7 +33,10 @@ BELTED = ("coat", "jeans", "shirt-dress", "circle-skirt")
 APRON = "apron"
 FLAT = ("edging", "lace trim", "neck rib", "armhole ribs", "hem rib")
 """What lies on the cloth along its edges; frills, fringe and bows stand off."""
-STAND_OFF = ("neck frill", "sleeve frills", "hem frill", "hem fringe", "neck bow", "waist bow", "stirrups")
+STAND_OFF = (
+    *("neck frill", "sleeve frills", "hem frill", "hem fringe", "neck bow", "waist bow"),
+    *("stirrups", "frayed hem"),
+)
 ON_CLOTH, LIFTED = 0.1, (0.1, 0.8)
 """Of vertices where a piece is brought down to the cloth, and of the others, cm."""
 

@@ -63,6 +63,10 @@ TRIMMED = {
     "suit trousers": ("trousers", ("fly", "creases", "stirrups")),
     "hakama": ("pull-on-trousers", ("pleat lines",)),
     "cheongsam": ("fitted-dress", ("diagonal closing",)),
+    "ripped jeans": ("jeans", ("fly", "rips", "frayed hem")),
+    "jeans torn at the knees": ("jeans", ("knee rips",)),
+    "jeans torn at the left": ("jeans", ("left knee rip",)),
+    "jeans torn at the right": ("jeans", ("right knee rip",)),
     "flapper dress": ("drop-waist-dress", ("hem fringe", "neck cord")),
 }
 """Name of a draft and what is put on it: between them all trims that there are."""

@@ -41,6 +41,11 @@ def heard(text: str) -> Heard:
         ("a dress with pockets", "dress", ("slant pockets",)),
         ("a top with buttons", "top", ("button placket",)),
         ("eine Hose mit Reißverschluss", "trousers", ("fly",)),
+        ("ripped jeans", "trousers", ("rips",)),
+        ("distressed jeans", "trousers", ("rips", "frayed hem")),
+        ("ripped jeans with a hole in the right knee", "trousers", ("right knee rip",)),
+        ("a hole in the left knee and a hole in the right knee", "trousers", ("knee rips",)),
+        ("jeans déchirés aux genoux", "trousers", ("knee rips",)),
     ],
 )
 def test_what_is_wanted_first(text, kind, first):

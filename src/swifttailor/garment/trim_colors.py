@@ -35,13 +35,15 @@ _LOOKS_COLORED: Mapping[str, tuple[str, ...]] = {
     "apron": ("cloth",),
 }
 """Of what is put on, the parts that have that colour: a buckle is metal whatever its belt is."""
-_COLORS = {"metal": "#8d8f94", "leather": "#4a3226"}
+_COLORS = {"metal": "#8d8f94", "leather": "#4a3226", "hole": "#a9a097"}
 _IN_ANOTHER: Mapping[str, tuple[str, str]] = {
     "apron": ("#f3efe6", "#e2dccf"),
     "edging": ("#f3efe6", "#33415c"),
     "lace trim": ("#f3efe6", "#c9bfae"),
 }
 """What is of another colour than the cloth, where none is told: on darker cloth, and on light cloth."""
+_UNDYED, _PALE = "#f1efe9", 0.62
+"""Threads inside of cloth, and how much of their colour shows where it is worn."""
 _RIBS = ("neck rib", "armhole ribs", "hem rib")
 _LIGHT = 0.55
 """Linear light of cloth from which on it is light."""
@@ -77,6 +79,8 @@ def trim_color(
     if trim in _IN_ANOTHER:  # or nobody would see it
         pale, deep = _IN_ANOTHER[trim]
         return to_linear(pale if float(cloth @ GREY) < _LIGHT else deep)
+    if look == "thread" or trim == "frayed hem":
+        return (1.0 - _PALE) * cloth + _PALE * to_linear(_UNDYED)
     if look == "cloth":
         return (0.84 if trim in _RIBS else 0.94) * cloth
     if look == "dark":

@@ -30,6 +30,8 @@ _STANDS_OUT = 0.6
 """How much of that of a frill around the neck is away from the body."""
 _THREADS_APART, _THREAD = 0.8, 0.18
 """Of fringe: distance of its threads and half their width, cm."""
+_SHORT_THREADS, _FINE = 4.0, 0.6
+"""Threads shorter than this, cm, are of the cloth itself: so much finer."""
 _LOOP_HEIGHT, _LOOP_DEPTH, _RIBBON = 0.17, 1.0, 2.4
 """Of a bow: height of a loop as a part of its width, its depth and the width of its ends, cm."""
 
@@ -190,13 +192,16 @@ def _strip(
 def _threads(line: Floats, ways: Floats, normals: Floats, depth: float) -> tuple[Floats, Ints, Ints]:
     """Threads that hang beside each other; vertices, faces, and no lines."""
     at = _travelled(line)
-    places = np.arange(0.5 * _THREADS_APART, at[-1], _THREADS_APART)
+    fine = _FINE if depth < _SHORT_THREADS else 1.0
+    apart, half = fine * _THREADS_APART, fine * _THREAD
+    places = np.arange(0.5 * apart, at[-1], apart)
     index = np.clip(np.searchsorted(at, places) - 1, 0, len(line) - 2)
     along = line[index + 1] - line[index]
     along /= np.maximum(np.linalg.norm(along, axis=1, keepdims=True), 1e-9)
     root = line[index] + (places - at[index])[:, None] * along + _LIFT * normals[index]
-    tip = root + depth * (0.94 + 0.06 * np.cos(7.0 * places))[:, None] * ways[index]
-    corners = [root - _THREAD * along, root + _THREAD * along, tip + _THREAD * along, tip - _THREAD * along]
+    swing = 0.06 if fine == 1.0 else 0.25  # what frays is not cut even
+    tip = root + depth * (1.0 - swing + swing * np.cos(7.0 * places))[:, None] * ways[index]
+    corners = [root - half * along, root + half * along, tip + half * along, tip - half * along]
     vertices = np.stack(corners, axis=1).reshape(-1, 3)
     k = 4 * np.arange(len(places))
     faces = np.concatenate([np.stack([k, k + 1, k + 2], axis=1), np.stack([k, k + 2, k + 3], axis=1)])

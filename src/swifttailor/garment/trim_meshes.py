@@ -17,6 +17,7 @@ from swifttailor.garment.trim_stirrups import stirrup_mesh
 from swifttailor.garment.trunk_cloth import around_trunk
 from swifttailor.pattern.trims.names import COUNTED
 from swifttailor.pattern.trims.placing import place_trims
+from swifttailor.pattern.trims.rips import threads_across
 from swifttailor.pattern.trims.shapes import Belt, Bow, Button, Frill, Patch, Stirrup, Trim
 
 if TYPE_CHECKING:
@@ -24,7 +25,7 @@ if TYPE_CHECKING:
 
 STEP = 1.3
 """Distance of the points of a patch, cm."""
-_LIFT = {"cloth": 0.30, "dark": 0.42, "metal": 0.36}
+_LIFT = {"cloth": 0.30, "dark": 0.42, "metal": 0.36, "hole": 0.24, "thread": 0.44}
 """How far pieces lie above the cloth, cm."""
 _QUILTING_LIFT = 0.14
 """Stitches through wadding lie deeper than those on top of pockets."""
@@ -78,6 +79,8 @@ def trim_meshes(garment: Garment) -> list[TrimMesh]:
             found += bow_meshes(garment, piece, on.points[0], on.normals[0])
         else:
             found.append(_patch(garment, piece, places))
+            if piece.look == "hole":
+                found += [_patch(garment, thread, places) for thread in threads_across(piece)]
     return found
 
 

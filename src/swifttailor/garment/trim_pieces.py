@@ -23,7 +23,7 @@ class TrimMesh:
     trim: str
     """A name of `pattern.trims.TRIMS`."""
     look: str
-    """``cloth``, ``dark``, ``metal``, ``button`` or ``leather``."""
+    """``cloth``, ``dark``, ``metal``, ``button``, ``leather``, or of a rip ``hole`` or ``thread``."""
     vertices: Floats
     """(n, 3) cm."""
     faces: Ints

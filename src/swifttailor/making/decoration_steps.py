@@ -20,9 +20,15 @@ _TITLES: Mapping[str, str] = {
     "sleeve frills": "Frills at the sleeves",
     "hem frill": "Frill along the hem",
     "hem fringe": "Fringe",
+    "frayed hem": "Frayed hems",
     "edging": "Edging",
     "lace trim": "Lace",
 }
+_RIPS = (
+    "Rips",
+    "Cut across each mark of a rip with a few cuts from side to side, and draw out the threads that run up "
+    "and down between them. Leave those that run across. Sew around the marks, so that they tear no further.",
+)
 _OTHERS: Mapping[str, tuple[str, str]] = {
     "neck cord": (
         "Cord at the neck",
@@ -43,6 +49,10 @@ _OTHERS: Mapping[str, tuple[str, str]] = {
         "Cut two bands of 24 by 8 cm, fold each lengthwise, sew along it and turn it. Sew its ends under the "
         "end of each leg, at the inner and the outer seam.",
     ),
+    "rips": _RIPS,
+    "knee rips": _RIPS,
+    "left knee rip": _RIPS,
+    "right knee rip": _RIPS,
     "lacing": (
         "Lacing",
         "Set eyelets at the outer ends of the marked lines, and lace a cord of 2 m through them.",
@@ -71,6 +81,11 @@ def decorations(plan: CuttingPlan) -> Iterator[tuple[str, str]]:
 def _frill(frill: Frill) -> str:
     """What to cut for a strip, and how it is sewn on."""
     length = frill.length
+    if frill.trim == "frayed hem":
+        return (
+            f"Leave {length:.0f} cm of edges without a hem, sew a line {frill.depth:.1f} cm from each, and "
+            "draw out the threads below it."
+        )
     if frill.kind == "gathered":
         strip = 10 * math.ceil(_FULLNESS * length / 10)
         return (

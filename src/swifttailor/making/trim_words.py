@@ -49,6 +49,8 @@ def words_of(patch: Patch, *, is_flap: bool) -> str:
     """What is printed beside a patch or a line."""
     if patch.look == "metal":
         return "zip"
+    if patch.look == "hole":
+        return "rip"
     if patch.look == "dark":
         return _LINES.get(patch.trim, "")
     if patch.trim in POCKETS:

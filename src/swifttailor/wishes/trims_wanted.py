@@ -18,6 +18,7 @@ _POCKETS = tuple(name for name in TRIMS if "pocket" in name)
 _BUTTONS = tuple(name for name in LIKE_EACH_OTHER[0] if "zip" not in name)
 _ZIPS = ("zip", "half zip", "back zip", "side zip", "fly")
 _BELTS = ("tie belt", "buckle belt")
+_KNEE_RIPS = ("knee rips", "left knee rip", "right knee rip")
 _FRILLS = ("neck frill", "sleeve frills", "hem frill")
 TRIMS_OF: Mapping[str, tuple[str, ...]] = {
     "pockets": _POCKETS,
@@ -41,6 +42,7 @@ TRIMS_OF: Mapping[str, tuple[str, ...]] = {
     "stirrups": ("stirrups",),
     "pleats": ("pleat lines",),
     "asymmetric_closing": ("diagonal closing",),
+    "raw_hem": ("rips", *_KNEE_RIPS, "frayed hem"),
 }
 """By key of what cannot be made of panels, which trims can stand for it."""
 _JACKETS = frozenset(
@@ -166,7 +168,18 @@ def _named(heard: Heard) -> tuple[str, ...]:
     """Trims that words about details name: cargo pockets, double-breasted."""
     marks = () if heard.words is None else heard.words.marks
     entries = [entry for mark in marks if not mark.denied for entry in mark.entries]
-    return tuple(dict.fromkeys([name for e in entries if e.category == _DETAILS for name in e.trims]))
+    found = tuple(dict.fromkeys([name for e in entries if e.category == _DETAILS for name in e.trims]))
+    return _told_where(found)
+
+
+def _told_where(named: tuple[str, ...]) -> tuple[str, ...]:
+    """The same trims; of rips those alone of which the text says where they are, where it does."""
+    at_knees = tuple([name for name in _KNEE_RIPS if name in named])
+    if not at_knees:
+        return named
+    both = len(at_knees) > 1
+    others = [name for name in named if name not in ("rips", *_KNEE_RIPS)]
+    return (_KNEE_RIPS[0] if both else at_knees[0], *others)
 
 
 def _of_garment(heard: Heard) -> tuple[str, ...]:

@@ -68,6 +68,11 @@ SHOULD_HAVE = {
     "pleat lines": ("trousers", "pull-on-trousers"),
     "stirrups": ("leggings", "trousers"),
     "diagonal closing": ("fitted-dress", "turtleneck", "shirt"),
+    "rips": (*TROUSERS, "jumpsuit", "fitted-skirt", "t-shirt", "denim-jacket"),
+    "knee rips": TROUSERS,
+    "left knee rip": TROUSERS,
+    "right knee rip": TROUSERS,
+    "frayed hem": (*TROUSERS, *SKIRTS, "denim-jacket"),
 }
 CHILDREN = (60.0, 92.0, 110.0, 128.0, 152.0)
 SOME = tuple(info for info in list_drafts() if info.name not in ("gored-skirt", "pleated-skirt"))
@@ -97,7 +102,7 @@ def test_has_its_place_on_the_drafts_that_should_have_it(name, drafts):
         ("sleeve frills", "tank-top"), ("hem frill", "jeans"), ("neck frill", "hoodie"), ("apron", "t-shirt"),
         ("neck bow", "trousers"), ("lacing", "jeans"), ("neck rib", "turtleneck"),
         ("armhole ribs", "t-shirt"), ("elastic waist", "bomber-jacket"), ("creases", "fitted-skirt"),
-        ("diagonal closing", "trousers"),
+        ("diagonal closing", "trousers"), ("knee rips", "fitted-skirt"), ("left knee rip", "t-shirt"),
     ],
 )  # fmt: skip
 def test_has_none_on_others(name, draft_name, drafts):
@@ -270,3 +275,20 @@ def test_elastic_draws_folds_where_cloth_is_gathered_alone(drafts):
     smooth = place_trims(replace(drafts["leggings"], trims=("elastic waist",)))
     assert {piece.panel for piece in smooth} == {"wb_front", "wb_back"}
     assert {"pant_f_l", "pant_b_r", "wb_front"} <= {piece.panel for piece in folds} and len(folds) > 40
+
+
+def test_rips_lie_where_their_names_say(drafts):
+    """At the knees of the left or the right leg, the wearer's, and of shorts on the thighs alone."""
+
+    def places(name: str, pattern: Pattern) -> np.ndarray:
+        holes = place_trims(replace(pattern, trims=(name,)))
+        return np.array([seen(pattern, hole).mean(axis=0) for hole in holes])
+
+    jeans, shorts = drafts["jeans"], draft("trousers", length=50)
+    left, right = places("left knee rip", jeans), places("right knee rip", jeans)
+    both = places("knee rips", jeans)
+    assert len(left) == len(right) == 1 and len(both) == 2
+    assert left[0, 0] > 5 > -5 > right[0, 0] and (42 < both[:, 1]).all() and (both[:, 1] < 58).all()
+    assert len(places("rips", jeans)) >= 5 and len(places("knee rips", shorts)) == 0
+    thighs = places("rips", shorts)
+    assert len(thighs) >= 3 and (thighs[:, 1] > 60).all()

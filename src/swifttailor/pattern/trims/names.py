@@ -51,15 +51,21 @@ TRIMS: Mapping[str, str] = {
     "pleat lines": "pressed pleats down the legs",
     "stirrups": "straps under the feet",
     "diagonal closing": "a closing from the neck to the armhole",
+    "rips": "rips with threads across",
+    "knee rips": "a rip at each knee",
+    "left knee rip": "a rip at the left knee",
+    "right knee rip": "a rip at the right knee",
+    "frayed hem": "frayed hems",
 }
 """By name, what each is for people. None joins panels, so none changes how a garment is cut or hangs."""
 LIKE_EACH_OTHER = (
     ("buttons", "button placket", "double-breasted buttons", "zip", "polo placket", "half zip"),
     ("tie belt", "buckle belt", "drawstring"),
-    ("hem frill", "hem fringe", "hem rib"),
+    ("hem frill", "hem fringe", "hem rib", "frayed hem"),
     ("edging", "lace trim"),
     ("neck frill", "neck bow", "neck cord"),
     ("creases", "pleat lines"),
+    ("rips", "knee rips", "left knee rip", "right knee rip"),
 )
 """Groups of which a garment has one at most."""
 MOST_BUTTONS = 20

@@ -16,6 +16,7 @@ from swifttailor.pattern.trims import (
 )
 from swifttailor.pattern.trims.chalk import Chalk
 from swifttailor.pattern.trims.diagonal_closing import diagonal_closing
+from swifttailor.pattern.trims.rips import frayed_hem, rips
 from swifttailor.pattern.trims.shapes import Trim
 from swifttailor.pattern.trims.stirrups import stirrups
 
@@ -63,6 +64,11 @@ _PLACES: Mapping[str, Callable[[Chalk, str], list[Trim]]] = {
     "pleat lines": pressed_lines.pleat_lines,
     "stirrups": stirrups,
     "diagonal closing": diagonal_closing,
+    "rips": rips,
+    "knee rips": rips,
+    "left knee rip": rips,
+    "right knee rip": rips,
+    "frayed hem": frayed_hem,
 }
 """How each of `names.TRIMS` is marked."""
 

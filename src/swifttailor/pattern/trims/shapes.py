@@ -9,7 +9,7 @@ from swifttailor.arrays import Floats
 from swifttailor.pattern.pattern import EdgeRef
 
 StripKind = Literal["gathered", "threads", "flat"]
-Look = Literal["cloth", "dark", "metal"]
+Look = Literal["cloth", "dark", "metal", "hole", "thread"]
 
 
 @dataclass(frozen=True, eq=False)
