@@ -14,6 +14,7 @@ from swifttailor.wishes.drafts_as_asked import draft_as_asked
 _SLEEVED_SKATER = (
     "skater-dress(skirt_length=98;skirt_fraction=0.5;sleeves=true;sleeve_length=60.0;sleeve_end=24.0)"
 )
+OPEN_BACK = Claim("back_depth", "open")
 BARE = Claim("shoulders", "strapless")
 STAND = Claim("collar", "stand")
 THIN, CUFFED = Claim("straps", "narrow"), Claim("leg_cuffs", "band")
@@ -63,7 +64,7 @@ SLITS = [Claim("slit", "left"), Claim("slit", "right")]
         (
             "strapless-dress",
             [Claim("back_depth", "open"), Claim("skirt_hem", "floor"), Claim("slit", "left")],
-            "halter-dress(length=100;skirt_fraction=0.35)",
+            "halter-dress(back_fall=18;length=100;skirt_fraction=0.35)",
         ),
         (
             "off-shoulder-dress",
@@ -89,8 +90,11 @@ SLITS = [Claim("slit", "left"), Claim("slit", "right")]
         (
             "skater-dress",
             [Claim("neckline", "round"), Claim("neck_depth", "high"), Claim("back_depth", "open")],
-            "skater-dress(neck_widening=0.5;neck_depth=8.5)",
+            "skater-dress(neck_widening=0.5;neck_depth=8.5;back_neck_depth=38)",
         ),
+        ("fitted-dress", [OPEN_BACK], "fitted-dress(back_neck_depth=38;neck_widening=4)"),
+        ("fitted-dress", [OPEN_BACK, Claim("back_depth_cm", 30.0)], "fitted-dress"),
+        ("halter-dress", [OPEN_BACK], "halter-dress(back_fall=18)"),
         ("strappy-dress(strap_width=3)", [THIN], "strappy-dress(strap_width=1.2)"),
         ("t-shirt", [Claim("fit", "close"), Claim("bodice", "darted")], "fitted-top"),
         ("trousers(leg_ease=21)", [Claim("legs", "wide")], "trousers(leg_ease=40;flare=8)"),

@@ -18,6 +18,16 @@ _STRAPLESS, _OPEN_BACK, _BARE = (
 )
 _SLIT_FRACTION, _HALTER_CM = 0.35, 98.0
 _DRAFT = "off-shoulder-dress"
+_SCOOPED = (
+    *("fitted-dress", "mermaid-dress", "skater-dress", "jumpsuit"),
+    *("fitted-top", "peplum-top"),
+)
+"""Drafts whose back ends at the waist, down to which it may be bare."""
+_HALTER = "halter-dress"
+_BARE_BACK_CM, _BARE_WIDENING_CM, _HALTER_FALL_CM = 38.0, 4.0, 18.0
+"""How deep it is then, how narrow the shoulders are, and how far the back of a halter falls."""
+_CLOSE_NECKS = frozenset({Claim("neck_depth", "high"), Claim("neckline", "crew")})
+_OTHER_BACKS = frozenset({"back_depth_cm", "collar", "hood"})
 _HANGS = frozenset(
     {
         Claim("fit", "loose"),
@@ -58,6 +68,13 @@ def bared_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     if draft.name == _STRAPLESS and _OPEN_BACK in claims and _BARE not in claims:
         return _held_behind_the_neck(draft, claims)
     own = dict(draft.options)
+    if draft.name in _SCOOPED and _OPEN_BACK in claims and not _is_otherwise(claims):
+        bare = {**own, "back_neck_depth": _BARE_BACK_CM}
+        if _CLOSE_NECKS.isdisjoint(claims):
+            bare["neck_widening"] = max(float(own.get("neck_widening", 0.0)), _BARE_WIDENING_CM)
+        return replace(draft, options=tuple(bare.items()))
+    if draft.name == _HALTER and _OPEN_BACK in claims and not _is_otherwise(claims):
+        return replace(draft, options=tuple({"back_fall": _HALTER_FALL_CM, **own}.items()))
     if draft.name in _ON_STRAPS and _THIN in claims and STRAP_WIDTH in own:
         thin = min(float(own[STRAP_WIDTH]), _THIN_CM)
         return replace(draft, options=tuple({**own, STRAP_WIDTH: thin}.items()))
@@ -76,13 +93,18 @@ def bared_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     return replace(draft, options=tuple({**options, **own}.items()))
 
 
+def _is_otherwise(claims: Sequence[Claim]) -> bool:
+    """Whether it is told how deep the back is, or that something stands at the neck."""
+    return any(claim.name in _OTHER_BACKS and claim.value != "none" for claim in claims)
+
+
 def _held_behind_the_neck(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     """A halter dress: the edge of a strapless one runs straight across the back that is to be bare."""
     own = dict(draft.options)
     ends = [_LENGTHS[str(c.value)] for c in claims if c.name == "skirt_hem" and c.value in _LENGTHS]
-    options = {"length": [*ends, float(own.get("skirt_length", _HALTER_CM))][0]}
+    options = {"back_fall": _HALTER_FALL_CM, "length": [*ends, float(own.get("skirt_length", _HALTER_CM))][0]}
     if any(claim.name == "slit" for claim in claims):
         options["skirt_fraction"] = _SLIT_FRACTION
     elif "skirt_fraction" in own:
         options["skirt_fraction"] = float(own["skirt_fraction"])
-    return NamedDraft("halter-dress", tuple(options.items()))
+    return NamedDraft(_HALTER, tuple(options.items()))

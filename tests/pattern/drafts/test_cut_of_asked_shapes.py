@@ -95,3 +95,18 @@ def test_minis_and_hems_above_the_knee_are_well_within_their_words():
         assert isinstance(wish, Gain) and wish.claim.name == "skirt_length_cm"
         shorter = 60.0 - float(wish.claim.value)
         assert facts.hem is not None and facts.hem.level + shorter > facts.body.crotch - below_crotch
+
+
+@pytest.mark.parametrize("name", ["fitted-dress", "skater-dress", "jumpsuit", "halter-dress"])
+def test_a_bare_back_is_bare_to_the_waist_and_beside_the_blades(name):
+    options = {"back_fall": 18.0} if name == "halter-dress" else {"back_neck_depth": 38.0}
+    panel = draft(name, **options).panel("left_btorso")
+    outline = shapely.Polygon(panel.to_world(panel.outline(0.01))[:, :2])
+    low = outline.bounds[1]
+
+    def bare(above: float) -> float:
+        """How far from the middle the cloth begins so high above the waist, cm."""
+        return outline.intersection(shapely.LineString([(-60, low + above), (60, low + above)])).bounds[0]
+
+    assert bare(1.5) < 1.0 and bare(6.0) > 5.0 and bare(13.0) > 9.0
+    assert Claim("back_depth", "open").holds(measure_facts(draft(name, **options))) or "halter" in name

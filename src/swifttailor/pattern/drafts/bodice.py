@@ -8,7 +8,7 @@ from swifttailor.pattern.drafts.bust_dart import draw_side_with_bust_dart
 from swifttailor.pattern.drafts.cutting_table import CuttingTable, Piece
 from swifttailor.pattern.drafts.figure import Figure, Halves
 from swifttailor.pattern.drafts.hem_dart import darted_half, draw_darted_hem, hem_dart
-from swifttailor.pattern.drafts.neckline import Neckline, draw_neckline
+from swifttailor.pattern.drafts.neckline import Neckline, draw_bare_back, draw_neckline
 from swifttailor.pattern.drafts.outline import Outline, Point, Side
 from swifttailor.pattern.drafts.side_seam import (
     OPEN_SHARE,
@@ -33,6 +33,8 @@ HEM_BALANCE = 0.45
 """Part of it that a garment without shoulders has at the centre front of its hem."""
 LOOSE_HEM_BALANCE = 0.6
 """The same of a loose garment that hangs from its shoulders."""
+_STRAP = 3.5
+"""How much cloth is left beside a back that is bare, at the shoulder blades, cm."""
 _CROPPED_CM = 6.0
 """What ends less far below the waist hangs from the bust, and has all of that there."""
 BLADE_FULLNESS = 0.01
@@ -302,8 +304,11 @@ def lay_torso_half(
     fall = figure.neck_y + lift - neck[1]
     depth = (neckline.front_depth if front else neckline.back_depth) - fall
     low = outline.sides[0].start
-    depth = max(min(depth, neck[1] - low[1] - SIDE_MINIMUM), 0.5)
-    draw_neckline(outline, neck, depth, figure.slope, neckline.shape if front else "round")
+    if not front and neckline.bares_back:
+        draw_bare_back(outline, neck, depth, shoulder[1] - _STRAP)
+    else:
+        depth = max(min(depth, neck[1] - low[1] - SIDE_MINIMUM), 0.5)
+        draw_neckline(outline, neck, depth, figure.slope, neckline.shape if front else "round")
     slit = min(slit, OPEN_SHARE * (outline.sides[-1].end[1] - low[1]))
     if slit >= SHORTEST_SLIT:
         outline.line("centre", outline.sides[-1].end[0], low[1] + slit).line("slit", *low)

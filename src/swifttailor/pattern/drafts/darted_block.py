@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 from swifttailor.pattern.drafts.bust_dart import draw_side_with_bust_dart
@@ -11,6 +12,8 @@ from swifttailor.pattern.drafts.suppression import Suppression, dart_places, sup
 
 SIDE_MINIMUM = 8.0
 """Shortest side seam, cm."""
+_LEANS = 0.6
+"""How much of a dart that is laid together is lost at the underarm."""
 
 
 @dataclass(frozen=True)
@@ -43,8 +46,12 @@ class DartedBlock:
         under_y = max(figure.armpit_y - drop, figure.waist_y + SIDE_MINIMUM)
         return DartedBlock(figure, waist, taken.wide(waist), taken, dart_places(figure, waist), under_y)
 
-    def begin_half(self, *, front: bool) -> Outline:
-        """Draws the waist, from the middle outward, and the side seam up to the underarm."""
+    def begin_half(self, *, front: bool, bare: bool = False) -> Outline:
+        """Draws the waist, from the middle outward, and the side seam up to the underarm.
+
+        Of a back that is bare the dart is laid together, as it would end in the neckline: what is beside it
+        leans inward from the waist on.
+        """
         half, narrow, width, place = (
             (self.chest.front, self.waist.front, self.taken.front, self.places.front)
             if front
@@ -54,10 +61,16 @@ class DartedBlock:
         room = self.under_y - waist_y
         reach = min(self.figure.bust_y - 3.0 - waist_y if front else room - 2.0, room - 1.5)
         darts = [Dart(place, width, max(reach, 5.0))] if width else []
+        under_y = self.under_y
+        if bare:
+            # Its side is as long as it was, as that of the front is.
+            rise = math.hypot(half - narrow - width, under_y - waist_y) ** 2
+            half, width, darts = half - _LEANS * width, 0.0, []
+            under_y = waist_y + math.sqrt(max(rise - (half - narrow) ** 2, 1.0))
         outline = Outline(0.0, waist_y)
         outline.darted_line("waist", (narrow + width, waist_y), darts)
         if front:
             draw_side_with_bust_dart(outline, self.figure, (half, self.under_y))
         else:
-            outline.line("side", half, self.under_y)
+            outline.line("side", half, under_y)
         return outline

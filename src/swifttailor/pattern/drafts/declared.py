@@ -20,6 +20,15 @@ NeckDepth = Annotated[
 BackNeckDepth = Annotated[
     float, Option("Fall of the back neckline below the neck-shoulder point.", "cm", 1.0, 16.0)
 ]
+BareBackDepth = Annotated[
+    float,
+    Option(
+        "Fall of the back neckline below the neck-shoulder point; beyond 18 it bares the back.",
+        "cm",
+        1.0,
+        42.0,
+    ),
+]
 ChestEase = Annotated[float, Option("Room on top of the bust girth, all around.", "cm", 2.0, 36.0)]
 BustEase = Annotated[float, Option("Room on top of the bust girth, all around.", "cm", 1.0, 16.0)]
 WaistEase = Annotated[float, Option("Room on top of the waist girth, all around.", "cm", 0.0, 16.0)]

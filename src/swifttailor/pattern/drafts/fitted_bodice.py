@@ -45,7 +45,7 @@ def lay_fitted_bodice(table: CuttingTable, figure: Figure, shape: FittedBodice) 
     tip_x = min(tip_x, min(block.chest.front, block.chest.back) - 1.5)
     neck_x = min(shape.neckline.start_x(figure), tip_x - 3.0)
     for front in (True, False):
-        outline = block.begin_half(front=front)
+        outline = block.begin_half(front=front, bare=not front and shape.neckline.bares_back)
         scoop = 0.66 if front else 0.5
         shoulder = (neck_x, tip_x)
         lay_torso_half(

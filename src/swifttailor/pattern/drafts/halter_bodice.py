@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 from swifttailor.pattern.drafts import darted_block
@@ -19,8 +20,10 @@ STRAP_Z = -14.0
 """Where the strap stands before draping, cm."""
 BEHIND_NECK = 1.3
 """Way from the side of the neck to the middle behind it, over half the neck's width."""
-_BACK_FALL = 5.0
-"""How far the back falls from the underarm to its middle, cm."""
+_BARE, _BARE_ABOVE = 8.0, 2.0
+"""A back that falls farther is bare, and ends at least so far above the waist, cm."""
+_LEANS = 0.6
+"""How much of a dart that would end in its edge is lost at the underarm instead."""
 _CLOSER = 2.5
 """How much narrower each half of a fitted back is at its upper edge, so that it does not stand off, cm."""
 _CLOSER_LOOSE = 2.0
@@ -44,6 +47,8 @@ class HalterBodice:
     """Extra width at the hem, cm around."""
     waist_ease: float | None = None
     """On top of the waist girth where darts shape the bodice and it ends at the waist, cm around."""
+    back_fall: float = 5.0
+    """How far the back falls from the underarm to its middle, cm."""
 
 
 def lay_halter_bodice(table: CuttingTable, figure: Figure, shape: HalterBodice) -> Halves | None:
@@ -94,14 +99,21 @@ def _lay_to_waist(table: CuttingTable, figure: Figure, shape: HalterBodice, wais
         (False, chest.back, waist.back, taken.back, places.back),
     ):
         # Behind, the dart ends below the low edge.
-        reach = min(figure.bust_y - 3.0 - figure.waist_y, room - 1.5) if front else room - _BACK_FALL - 1.0
+        reach = (
+            min(figure.bust_y - 3.0 - figure.waist_y, room - 1.5) if front else room - shape.back_fall - 1.0
+        )
         darts = [Dart(place, lost, max(reach, 2.5))] if lost else []
+        under = under_y
+        if not front and shape.back_fall > _BARE:  # its side stays as long as that of the front
+            long = math.hypot(half - narrow - lost, room) ** 2
+            half, lost, darts = half - _LEANS * lost, 0.0, []
+            under = figure.waist_y + math.sqrt(max(long - (half - narrow) ** 2, 1.0))
         outline = Outline(0.0, figure.waist_y)
         outline.darted_line("waist", (narrow + lost, figure.waist_y), darts)
         if front:
             draw_side_with_bust_dart(outline, figure, (half, under_y))
         else:
-            outline.line("side", half, under_y)
+            outline.line("side", half, under)
         _lay_half(table, figure, shape, outline, front=front)
 
 
@@ -114,8 +126,9 @@ def _lay_half(
     if front:
         _draw_top(outline, figure, shape, (half, under_y))
     else:
-        low = max(under_y - _BACK_FALL, foot[1] + SIDE_MINIMUM)
-        closer = _CLOSER_LOOSE if shape.waist_ease is None else _CLOSER
+        is_bare = shape.back_fall > _BARE
+        low = max(under_y - shape.back_fall, foot[1] + (_BARE_ABOVE if is_bare else SIDE_MINIMUM))
+        closer = 0.0 if is_bare else _CLOSER_LOOSE if shape.waist_ease is None else _CLOSER
         outline.quadratic("top", (0.55 * half, low), (closer, low))
     outline.line("centre", *foot).closed()
     name, z = ("left_ftorso", FRONT_Z) if front else ("left_btorso", BACK_Z)

@@ -8,6 +8,11 @@ from typing import Literal
 from swifttailor.pattern.drafts.figure import Figure
 from swifttailor.pattern.drafts.outline import Outline, Point
 
+BARE_BACK = 18.0
+"""A back neckline deeper than this bares the back: it runs down beside the shoulder blades, cm."""
+_ABOVE_SEAM = 2.0
+"""How much of the middle of such a back is left above its lower edge, cm."""
+
 NeckShape = Literal["round", "v", "square"]
 
 
@@ -27,6 +32,11 @@ class Neckline:
     def start_x(self, figure: Figure) -> float:
         """Where on the shoulder the neckline starts; at least 3 cm of shoulder remain."""
         return min(figure.neck_x + self.widening, figure.shoulder_x - 3.0)
+
+    @property
+    def bares_back(self) -> bool:
+        """Whether it leaves the back bare, as that of a backless dress."""
+        return self.back_depth > BARE_BACK
 
 
 def draw_neckline(outline: Outline, start: Point, depth: float, slope: float, shape: NeckShape) -> None:
@@ -52,3 +62,19 @@ def draw_neckline(outline: Outline, start: Point, depth: float, slope: float, sh
     else:
         run = min(0.55 * depth, 0.8 * x)
         outline.cubic("neck", (x - slope * run, y - run), (0.56 * x, low), (0.0, low))
+
+
+def draw_bare_back(outline: Outline, start: Point, depth: float, widest: float) -> None:
+    """Draws a wide scoop from the shoulder point `start` to the middle line x = 0, `depth` cm lower.
+
+    Args:
+        outline: Continues at `start`.
+        start: Shoulder end of the neckline, local cm.
+        depth: Fall from `start` to the middle, cm; less where the panel ends above.
+        widest: How far from the middle it may lie, cm.
+    """
+    x, y = start
+    foot = outline.sides[0].start[1]
+    low = y - max(min(depth, y - foot - _ABOVE_SEAM), 0.5)
+    aside = max(min(1.45 * x, widest), 0.8 * x)
+    outline.cubic("neck", (min(x + 1.0, aside), y - 0.45 * (y - low)), (aside, low), (0.0, low))

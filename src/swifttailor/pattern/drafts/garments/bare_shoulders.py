@@ -38,6 +38,9 @@ class HalterTopOptions:
     neckline: declared.NeckShapeOption = "v"
     neck_depth: declared.NeckDepth = 16.0
     strap_width: HalterStrap = 3.5
+    back_fall: Annotated[
+        float, Option("Fall of the back from the underarm to its middle.", "cm", 3.0, 20.0)
+    ] = 5.0
 
 
 def draft_halter_top(options: HalterTopOptions, measurements: Measurements) -> Pattern:
@@ -151,7 +154,13 @@ def draft_off_shoulder_dress(options: OffShoulderDressOptions, measurements: Mea
 def _halter(options: HalterTopOptions, waist_ease: float | None = None) -> HalterBodice:
     neckline = Neckline(options.neckline, 0.5, options.neck_depth)
     return HalterBodice(
-        options.chest_ease, options.length, options.strap_width, neckline, options.flare, waist_ease
+        options.chest_ease,
+        options.length,
+        options.strap_width,
+        neckline,
+        options.flare,
+        waist_ease,
+        options.back_fall,
     )
 
 

@@ -59,7 +59,7 @@ class CloseDressOptions(SetInSleeveOptions):
     neckline: declared.NeckShapeOption = "round"
     neck_widening: declared.NeckWidening = 3.0
     neck_depth: declared.NeckDepth = 11.0
-    back_neck_depth: declared.BackNeckDepth = 4.0
+    back_neck_depth: declared.BareBackDepth = 4.0
     shoulder_inset: Annotated[
         float, Option("How far the armhole lies inside the shoulder tip.", "cm", 0.0, 5.0)
     ] = 1.5
@@ -203,7 +203,7 @@ class SleevedBodiceOptions(SetInSleeveOptions):
     neckline: declared.NeckShapeOption = "round"
     neck_widening: declared.NeckWidening = 3.0
     neck_depth: declared.NeckDepth = 11.0
-    back_neck_depth: declared.BackNeckDepth = 4.0
+    back_neck_depth: declared.BareBackDepth = 4.0
     armhole_drop: declared.ArmholeDrop = 2.0
     stretch: declared.ClothStretch = 0.0
 
