@@ -9,6 +9,7 @@ import pytest
 from swifttailor.describing.claims import Claim
 from swifttailor.describing.differences import Gain
 from swifttailor.pattern.trims import TRIMS
+from swifttailor.wishes.closed_behind import without_opposites
 from swifttailor.wishes.heard import Heard
 from swifttailor.wishes.reader import Wish
 from swifttailor.wishes.trims_wanted import TRIMS_OF, refused_trims, speaks_of_trims_alone, trims_wanted
@@ -42,6 +43,10 @@ def heard(text: str) -> Heard:
         ("a top with buttons", "top", ("button placket",)),
         ("eine Hose mit Reißverschluss", "trousers", ("fly",)),
         ("ripped jeans", "trousers", ("rips",)),
+        ("a dress with buttons down the back", "dress", ("back buttons",)),
+        ("a pinafore that ties at the back", "dress", ("back ties",)),
+        ("a top with a lace-up back", "top", ("back lacing",)),
+        ("a dress with a bow at the back", "dress", ("back bow",)),
         ("distressed jeans", "trousers", ("rips", "frayed hem")),
         ("ripped jeans with a hole in the right knee", "trousers", ("right knee rip",)),
         ("a hole in the left knee and a hole in the right knee", "trousers", ("knee rips",)),
@@ -144,3 +149,11 @@ def test_frills_of_the_sleeves_are_put_there_alone():
     blouse = replace(heard("a blouse with ruffles on the sleeves"), sure=told)
     (wish,) = [wish for wish in trims_wanted(blouse) if wish.what == "frills"]
     assert wish.choices == (("sleeve frills",),)
+
+
+def test_of_what_closes_it_behind_nothing_hangs_lower_there():
+    """Unless another word says so."""
+    lower = Wish(Gain(Claim("hem_shape", "high-low")), 0.9)
+    assert without_opposites([lower], read_words("a dress with a zip down the back")) == ()
+    kept = without_opposites([lower], read_words("a high-low dress with a zip down the back"))
+    assert kept == (lower,) == without_opposites([lower], read_words("a dress with a side zip"))

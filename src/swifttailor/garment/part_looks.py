@@ -67,7 +67,14 @@ _PARTS: Mapping[str, tuple[frozenset[Part], str]] = {
 }
 """Kinds of panels of each part and what their names match; what comes later says more, and wins."""
 TRIMS_OF_PARTS: Mapping[str, tuple[str, ...]] = {
-    "buttons": ("buttons", "button placket", "polo placket", "double-breasted buttons", "fly"),
+    "buttons": (
+        "buttons",
+        "button placket",
+        "polo placket",
+        "double-breasted buttons",
+        "back buttons",
+        "fly",
+    ),
     "zip": ("zip", "half zip", "back zip", "side zip"),
     "pockets": (
         *("chest pocket", "chest pockets", "patch pockets", "welt pockets", "kangaroo pocket", "bib pocket"),
@@ -78,8 +85,8 @@ TRIMS_OF_PARTS: Mapping[str, tuple[str, ...]] = {
     "frills": ("neck frill", "sleeve frills", "hem frill"),
     "fringe": ("hem fringe",),
     "edging": ("edging", "lace trim"),
-    "bow": ("neck bow", "waist bow"),
-    "lacing": ("lacing",),
+    "bow": ("neck bow", "waist bow", "back bow", "back ties"),
+    "lacing": ("lacing", "back lacing"),
     "apron": ("apron",),
 }
 """What is put on a garment and may have a colour of its own, and which trims it is."""

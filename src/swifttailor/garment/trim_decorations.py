@@ -71,6 +71,7 @@ def bow_meshes(garment: Garment, bow: Bow, at: Array, normal: Array) -> list[Tri
         normal: (3,) of the cloth there.
     """
     middle = at + 1.1 * normal
+    outward = -1.0 if normal[2] < 0.0 else 1.0
     found = []
     for side in (-1.0, 1.0):
         loop = middle + np.array([side * 0.27 * bow.width, 0.25, 0.0])
@@ -79,21 +80,26 @@ def bow_meshes(garment: Garment, bow: Bow, at: Array, normal: Array) -> list[Tri
         taper = 0.35 + 0.65 * np.clip(np.abs(vertices[:, 0] - middle[0]) / (0.45 * bow.width), 0.0, 1.0)
         vertices[:, 1] = loop[1] + taper * (vertices[:, 1] - loop[1])
         found.append(TrimMesh(bow.trim, "cloth", vertices, faces, _outline_of(vertices, loop)))
-        found.append(_end(garment, bow, middle, side))
-    knot, faces = ball(middle + np.array([0.0, 0.0, 0.4]), (0.09 * bow.width, 0.10 * bow.width, 0.9))
+        found.append(_end(garment, bow, middle, side, outward))
+    knot, faces = ball(
+        middle + np.array([0.0, 0.0, 0.4 * outward]), (0.09 * bow.width, 0.10 * bow.width, 0.9)
+    )
     return [*found, TrimMesh(bow.trim, "cloth", knot, faces, np.zeros((0, 2), np.int32))]
 
 
-def _end(garment: Garment, bow: Bow, knot: Array, side: float) -> TrimMesh:
-    """A ribbon that hangs from the knot, before the cloth."""
+def _end(garment: Garment, bow: Bow, knot: Array, side: float, outward: float) -> TrimMesh:
+    """A ribbon that hangs from the knot, before the cloth; behind it where that is outward: -1."""
     drops = np.linspace(0.0, bow.tail, 9)
     middle = knot[0] + side * (0.8 + 0.14 * drops)
     half = 0.5 * _RIBBON * (0.45 + 0.55 * np.clip(drops / 5.0, 0.0, 1.0))
     x = np.stack([middle - half, middle + half], axis=1)
     y = np.broadcast_to((knot[1] - drops)[:, None], x.shape)
-    cloth = [front_of(garment, at, knot[1] - drop) for at, drop in zip(middle, drops, strict=True)]
-    depth = np.maximum(np.nan_to_num(cloth, nan=-np.inf), knot[2] - 0.1 * drops) + 0.5
-    z = np.broadcast_to(np.maximum.accumulate(depth)[:, None], x.shape)
+    cloth = [
+        outward * front_of(garment, at, knot[1] - drop, outward)
+        for at, drop in zip(middle, drops, strict=True)
+    ]
+    depth = np.maximum(np.nan_to_num(cloth, nan=-np.inf), outward * knot[2] - 0.1 * drops) + 0.5
+    z = np.broadcast_to(outward * np.maximum.accumulate(depth)[:, None], x.shape)
     vertices = np.stack([x, y, z], axis=-1).reshape(-1, 3)
     k = 2 * np.arange(len(drops) - 1)
     faces = np.concatenate([np.stack([k, k + 2, k + 3], axis=1), np.stack([k, k + 3, k + 1], axis=1)])

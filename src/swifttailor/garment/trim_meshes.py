@@ -79,7 +79,7 @@ def trim_meshes(garment: Garment) -> list[TrimMesh]:
             found += bow_meshes(garment, piece, on.points[0], on.normals[0])
         else:
             found.append(_patch(garment, piece, places))
-            if piece.look == "hole":
+            if piece.look == "hole" and "rip" in piece.trim:
                 found += [_patch(garment, thread, places) for thread in threads_across(piece)]
     return found
 

@@ -57,8 +57,10 @@ def ball(middle: Array, radii: tuple[float, float, float]) -> tuple[Floats, Ints
     return vertices, np.concatenate([quads[AROUND:, [0, 1, 2]], quads[:-AROUND, [0, 2, 3]]]).astype(np.int32)
 
 
-def front_of(garment: Garment, x: float, y: float) -> float:
-    """The z of the foremost vertex near a place, NaN where there is none."""
+def front_of(garment: Garment, x: float, y: float, outward: float = 1.0) -> float:
+    """The z of the foremost vertex near a place, NaN where there is none; of the hindmost, outward -1."""
     away = np.abs(garment.vertices[:, :2] - (x, y)).max(axis=1)
     near = away < 2.0
-    return float(garment.vertices[near, 2].max()) if near.any() else float("nan")
+    if not near.any():
+        return float("nan")
+    return outward * float((outward * garment.vertices[near, 2]).max())

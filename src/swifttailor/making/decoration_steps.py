@@ -53,6 +53,26 @@ _OTHERS: Mapping[str, tuple[str, str]] = {
     "knee rips": _RIPS,
     "left knee rip": _RIPS,
     "right knee rip": _RIPS,
+    "back ties": (
+        "Ties at the back",
+        "Leave the seam in the middle of the back open from the neck down, and hem both of its edges. Cut "
+        "two bands of 30 by 4 cm for each tie, fold them lengthwise, sew and turn them, one for each edge.",
+    ),
+    "back buttons": (
+        "Buttons at the back",
+        "Leave the seam in the middle of the back open as far as the buttons go. Sew a strip of 5 cm to each "
+        "edge, fold it in the middle, and lap the halves. Work the buttonholes in the upper one.",
+    ),
+    "back lacing": (
+        "Lacing at the back",
+        "Leave the seam in the middle of the back open as far as it is laced, and face its edges. Set "
+        "eyelets at the outer ends of the marked lines, and lace a cord of 3 m through them.",
+    ),
+    "back bow": (
+        "Bow at the back",
+        "Cut two bands of 90 by 14 cm, fold them lengthwise, sew and turn them. Catch them in the side seams "
+        "at the waist, and tie them behind.",
+    ),
     "lacing": (
         "Lacing",
         "Set eyelets at the outer ends of the marked lines, and lace a cord of 2 m through them.",

@@ -41,7 +41,10 @@ def stays_open(plan: CuttingPlan, role: SeamRole) -> list[str]:
     if role is SeamRole.CENTRE_FRONT and plan.closing is not None:
         return _open_front(plan, plan.closing)
     names = {trim.trim for trim in plan.trims}
-    partly = {SeamRole.CENTRE_FRONT: ("half zip", "polo placket"), SeamRole.CENTRE_BACK: ("back zip",)}
+    partly = {
+        SeamRole.CENTRE_FRONT: ("half zip", "polo placket"),
+        SeamRole.CENTRE_BACK: ("back zip", "back ties", "back buttons", "back lacing"),
+    }
     for name in ("side zip", "side pockets"):
         if name in names:
             side = _side_role(plan, name)

@@ -39,6 +39,8 @@ _LINES: Mapping[str, str] = {
     "elastic waist": "",
     "neck cord": "cord",
     "lacing": "lacing",
+    "back lacing": "lacing",
+    "back buttons": "edge of the upper half",
     "creases": "pressed crease",
     "pleat lines": "edge of a pleat",
     "diagonal closing": "piping",
@@ -50,7 +52,7 @@ def words_of(patch: Patch, *, is_flap: bool) -> str:
     if patch.look == "metal":
         return "zip"
     if patch.look == "hole":
-        return "rip"
+        return "rip" if "rip" in patch.trim else "opening"
     if patch.look == "dark":
         return _LINES.get(patch.trim, "")
     if patch.trim in POCKETS:

@@ -16,6 +16,7 @@ from swifttailor.describing.differences import Change, Gain
 from swifttailor.garment.part_looks import OPACITIES
 from swifttailor.wishes.accounting import subjects_spoken_of, unaccounted
 from swifttailor.wishes.button_counts import buttons_stated
+from swifttailor.wishes.closed_behind import without_opposites
 from swifttailor.wishes.deep_cuffs import without_deep_cuffs
 from swifttailor.wishes.heard import HEARD_NOTHING, Heard
 from swifttailor.wishes.kind_of_details import (
@@ -174,12 +175,11 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
         found = (*found, Wish(Gain(Claim("sleeves", length)), SURENESS["usual"]))
     if words.language == ENGLISH:
         found = _without_guesses(with_both_arms(text, found), words)
-    found = of_two_arms(of_one_arm(found))
+    found = without_opposites(of_two_arms(of_one_arm(found)), words)
     changes = _changes(found)
-    slits = len([c for c in changes if isinstance(c, Gain) and c.claim.name == "slit"])
+    slits = sum(isinstance(c, Gain) and c.claim.name == "slit" for c in changes)
     heard = [m.mention for m in measures if m.claim or (not m.mention.is_length and m.mention.value <= slits)]
-    counted = [str(buttons_stated(text) or "")]
-    known = " ".join([*words.sizes, *counted, *[text[one.start : one.end] for one in heard]])
+    known = " ".join([*words.sizes, f"{buttons_stated(text) or ''}", *[text[m.start : m.end] for m in heard]])
     unread = *words.unknown, *[n for n in unread_numbers(text, changes) if n not in known]
     sure, likely = sure_wishes(found), likely_wishes(found)
     silent = unaccounted(

@@ -22,7 +22,7 @@ _KNEE_RIPS = ("knee rips", "left knee rip", "right knee rip")
 _FRILLS = ("neck frill", "sleeve frills", "hem frill")
 TRIMS_OF: Mapping[str, tuple[str, ...]] = {
     "pockets": _POCKETS,
-    "buttons": (*_BUTTONS, "fly"),
+    "buttons": (*_BUTTONS, "back buttons", "fly"),
     "zip": _ZIPS,
     "belt": _BELTS,
     "belt_accessory": _BELTS,
@@ -30,7 +30,7 @@ TRIMS_OF: Mapping[str, tuple[str, ...]] = {
     "elastic": ("elastic waist",),
     "turn_ups": ("turn-ups",),
     "padding": ("quilting",),
-    "ties": ("tie belt", "neck bow", "waist bow"),
+    "ties": ("tie belt", "neck bow", "waist bow", "back bow", "back ties"),
     "braid": ("edging",),
     "lace": ("lace trim",),
     "frills": _FRILLS,
@@ -41,6 +41,8 @@ TRIMS_OF: Mapping[str, tuple[str, ...]] = {
     "creases": ("creases",),
     "stirrups": ("stirrups",),
     "pleats": ("pleat lines",),
+    "open_back": ("back ties", "back buttons", "back lacing"),
+    "back_lacing": ("back lacing",),
     "asymmetric_closing": ("diagonal closing",),
     "raw_hem": ("rips", *_KNEE_RIPS, "frayed hem"),
 }

@@ -73,6 +73,10 @@ SHOULD_HAVE = {
     "left knee rip": TROUSERS,
     "right knee rip": TROUSERS,
     "frayed hem": (*TROUSERS, *SKIRTS, "denim-jacket"),
+    "back ties": ("shift-dress", "fitted-dress", "t-shirt", "shirt"),
+    "back buttons": ("shirt", "fitted-dress", "t-shirt", "blazer"),
+    "back lacing": ("bustier", "strapless-dress", "fitted-dress"),
+    "back bow": ("fitted-dress", "skater-dress", "bustier", "pinafore"),
 }
 CHILDREN = (60.0, 92.0, 110.0, 128.0, 152.0)
 SOME = tuple(info for info in list_drafts() if info.name not in ("gored-skirt", "pleated-skirt"))
@@ -103,6 +107,7 @@ def test_has_its_place_on_the_drafts_that_should_have_it(name, drafts):
         ("neck bow", "trousers"), ("lacing", "jeans"), ("neck rib", "turtleneck"),
         ("armhole ribs", "t-shirt"), ("elastic waist", "bomber-jacket"), ("creases", "fitted-skirt"),
         ("diagonal closing", "trousers"), ("knee rips", "fitted-skirt"), ("left knee rip", "t-shirt"),
+        ("back buttons", "jeans"), ("back ties", "fitted-skirt"), ("back lacing", "jeans"),
     ],
 )  # fmt: skip
 def test_has_none_on_others(name, draft_name, drafts):

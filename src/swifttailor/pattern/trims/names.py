@@ -56,6 +56,10 @@ TRIMS: Mapping[str, str] = {
     "left knee rip": "a rip at the left knee",
     "right knee rip": "a rip at the right knee",
     "frayed hem": "frayed hems",
+    "back ties": "an opening down the back with ties",
+    "back buttons": "buttons down the back",
+    "back lacing": "lacing down the back",
+    "back bow": "a bow at the back",
 }
 """By name, what each is for people. None joins panels, so none changes how a garment is cut or hangs."""
 LIKE_EACH_OTHER = (
@@ -65,6 +69,7 @@ LIKE_EACH_OTHER = (
     ("edging", "lace trim"),
     ("neck frill", "neck bow", "neck cord"),
     ("creases", "pleat lines"),
+    ("back zip", "back ties", "back buttons", "back lacing"),
     ("rips", "knee rips", "left knee rip", "right knee rip"),
 )
 """Groups of which a garment has one at most."""

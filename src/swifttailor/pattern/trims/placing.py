@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 
 from swifttailor.pattern.pattern import Pattern
 from swifttailor.pattern.trims import (
+    back_openings,
     belts,
     decorations,
     elastic,
@@ -69,6 +70,10 @@ _PLACES: Mapping[str, Callable[[Chalk, str], list[Trim]]] = {
     "left knee rip": rips,
     "right knee rip": rips,
     "frayed hem": frayed_hem,
+    "back ties": back_openings.back_ties,
+    "back buttons": back_openings.back_buttons,
+    "back lacing": back_openings.back_lacing,
+    "back bow": back_openings.back_bow,
 }
 """How each of `names.TRIMS` is marked."""
 

@@ -1,0 +1,30 @@
+"""What words about a detail speak against: of "buttons down the back" nothing hangs lower behind."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from swifttailor.describing.differences import Gain
+from swifttailor.wishes.reader import Wish
+from swifttailor.wording.lexicon import WordReading
+
+_DETAILS = "styles"
+
+
+def without_opposites(found: Sequence[Wish], words: WordReading) -> tuple[Wish, ...]:
+    """The wishes, without what the words of a trim speak against and no other word says.
+
+    Args:
+        found: What is heard.
+        words: The words of the text.
+    """
+    trims = [
+        entry
+        for mark in words.marks
+        if not mark.denied
+        for entry in mark.entries
+        if entry.category == _DETAILS and entry.trims
+    ]
+    implied = {i.claim for i in words.implications}
+    against = {claim for entry in trims for claim in entry.against} - implied
+    return tuple([w for w in found if not (isinstance(w.change, Gain) and w.change.claim in against)])
