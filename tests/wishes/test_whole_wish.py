@@ -33,6 +33,13 @@ def test_what_words_do_not_say_the_whole_does():
     assert together([DRESS], {}) == [DRESS], "there is no such network"
 
 
+def test_a_length_that_is_named_is_not_the_next_one_too():
+    midi, floor = Gain(Claim("skirt_hem", "midi")), Gain(Claim("skirt_hem", "floor"))
+    whole = {DRESS: 1.0, midi: 0.7, floor: 0.9}
+    assert together([DRESS, midi], whole, stated=[midi]) == [DRESS, midi]
+    assert floor in together([DRESS, midi], whole)
+
+
 def test_what_the_network_all_but_excludes_was_misheard():
     assert together([DRESS, LONG], {DRESS: 1.0, LONG: DOUBTED - 0.01}) == [DRESS]
     assert together([DRESS, LONG], {DRESS: 1.0, LONG: DOUBTED}) == [DRESS, LONG]

@@ -13,6 +13,7 @@ _PART = 3
 """Words of a long name of a part: a "full gathered skirt" is no full circle."""
 _PHRASE = 4
 """Words of an entry of the lexicon that is surer than anything a network reads in it."""
+_LENGTHS = frozenset(["micro", "mini", "midi", "midaxi"])
 
 
 def is_against_phrase(wish: Wish, words: WordReading) -> bool:
@@ -31,7 +32,14 @@ def is_against_phrase(wish: Wish, words: WordReading) -> bool:
 
 
 def is_long_name(implied: Implication) -> bool:
-    """Whether several words name the garment, one of which alone may name another: a "dress shirt"."""
+    """Whether words say it beyond doubt.
+
+    Several name the garment, one of which alone may name another: a "dress shirt"; or a word names a length
+    and nothing else: whatever milkmaids wear, a midi milkmaid dress ends at the calf.
+    """
+    word = implied.mark.word.lower()
+    if implied.said and implied.claim.name == "skirt_hem" and (word in _LENGTHS or word.endswith(" length")):
+        return not implied.mark.denied
     named = implied.claim.name == "kind" and implied.certainty == "certain" and not implied.mark.denied
     return named and _words(implied) > 1
 

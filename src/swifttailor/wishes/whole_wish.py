@@ -26,6 +26,8 @@ _MADE_GLADLY = frozenset({"skirt_hem", "top_hem", "leg_hem", "waistband", "skirt
 away."""
 DOUBTED = 0.1
 """Less than this speaks against what was read elsewhere than in a word of a detail."""
+_EXACT = frozenset(["micro", "mini", "midi"])
+"""Lengths of skirts that are just so long where words name them."""
 
 
 def described_as_a_whole(
@@ -68,6 +70,8 @@ def described_as_a_whole(
     for change, chance in sorted(likely, key=lambda both: -both[1]):
         if not isinstance(change, Gain) or change.claim in never or not _fits(change.claim, kept):
             continue
+        if _is_other_length(change, stated):
+            continue
         against = [w for w in kept if isinstance(w.change, Gain) and exclude(change.claim, w.change.claim)]
         if any(
             not known
@@ -90,6 +94,14 @@ def described_as_a_whole(
             kept.append(Wish(change, certainty))
     kept += _doubted_alone(found, kept, said)
     return tuple(sorted(kept, key=lambda wish: -wish.certainty))
+
+
+def _is_other_length(change: Gain, stated: Collection[Change]) -> bool:
+    """Whether words name another length of the skirt, if only the next one: a midi is not to the floor."""
+    if change.claim.name != "skirt_hem":
+        return False
+    told = [c.claim for c in stated if isinstance(c, Gain) and c.claim.name == "skirt_hem"]
+    return change.claim not in told and any(claim.value in _EXACT for claim in told)
 
 
 def _doubted_alone(found: Sequence[Wish], kept: Sequence[Wish], said: Collection[Change]) -> list[Wish]:

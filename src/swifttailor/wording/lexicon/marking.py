@@ -7,6 +7,7 @@ from functools import lru_cache
 from typing import NamedTuple
 
 from swifttailor.wording.lexicon.inflection import LANGUAGES, SHORTEST, Language
+from swifttailor.wording.lexicon.interposed import lengths_first, with_dress
 from swifttailor.wording.lexicon.tokens import Gap, Token, tokens_of
 from swifttailor.wording.lexicon.vocabulary import NUMBER, Sense, Vocabulary, vocabulary
 
@@ -117,6 +118,8 @@ def _unknown(words: Sequence[Found]) -> int:
 def _found(text: str, language: Language) -> tuple[Found, ...]:
     tokens = tokens_of(text, language)
     vocabularies = [vocabulary(language)] + ([] if language == "en" else [vocabulary("en")])
+    if language == "en":
+        tokens = lengths_first(with_dress(tokens, vocabularies[0]), vocabularies[0])
     found: list[Found] = []
     k = 0
     for count, senses in _parted(tokens, vocabularies):
