@@ -60,3 +60,13 @@ def test_jodhpurs_bow_at_the_thigh_and_are_as_close_below():
     assert max(wide[2:]) > max(wide[:2])
     hems = [np.ptp(p.panel("pant_f_l").chord(0)[:, 0]) for p in (straight, bowed)]
     assert hems[0] == pytest.approx(hems[1])
+
+
+def test_barrel_legs_are_widest_at_the_knee():
+    straight, barrel = draft("jeans"), draft("jeans", barrel=6)
+    knees = [p.panel("pant_f_l").sample_edge(1, 3)[-1, 0] for p in (straight, barrel)]
+    assert knees[1] - knees[0] == pytest.approx(6.0, abs=0.1)
+    legs = barrel.panel("pant_f_l").sample_edge(1, 65)
+    assert np.argmax(legs[:, 0]) == len(legs) - 1, "the seam is upright at the knee"
+    hems = [np.ptp(p.panel("pant_f_l").chord(0)[:, 0]) for p in (straight, barrel)]
+    assert hems[0] == pytest.approx(hems[1])

@@ -160,7 +160,8 @@ class NamedDraft:
         hem = (*(_OF_DIPS if options.get(HEM_DIP) else ()), *(_OF_ARCS if options.get(SCALLOPS) else ()))
         blousing = self.name == "joggers" and float(options.get("leg_ease", 0.0)) >= BLOUSING_CM
         ends = _blousing_ends(float(options.get("length", 98.0))) if blousing else ()
-        legs = (*(_OF_BLOUSING if blousing else ()), *ends, *(_OF_BOWS if options.get("bow") else ()))
+        bowed = _OF_BOWS if options.get("bow") else _OF_BARRELS if options.get("barrel") else ()
+        legs = (*(_OF_BLOUSING if blousing else ()), *ends, *bowed)
         long = self.name in _LONG_TOPS and float(options.get("length", 0.0)) >= LONG_TOP_CM
         legs = (*legs, *self._tiers_to_the_eye, *(_OF_LONG_TOPS if long else ()))
         shown = (_OF_STANDS if stands else (), slits, falls, bib, broad, high, wings, hem, legs)
@@ -234,6 +235,8 @@ _OF_BLOUSING = (("legs", "tapered"), ("legs", "wide"), ("hips", "loose"))
 _AT_THE_ANKLE_CM, _AT_THE_CALF_CM = 92.0, 70.0
 _OF_BOWS = (("legs", "slim"), ("legs", "tapered"), ("hips", "close"))
 """Jodhpurs are close below the knee and full above it."""
+_OF_BARRELS = (("legs", "tapered"), ("hips", "loose"))
+"""Barrel legs are widest at the knee."""
 _OF_ARCS = (("hem_shape", "scalloped"),)
 _OF_CLINGING = (("skirt", "pencil"), ("skirt", "straight"), ("hips", "close"), ("bodice", "darted"))
 """Cloth that stretches over the body follows it without darts."""

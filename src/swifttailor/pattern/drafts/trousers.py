@@ -60,6 +60,8 @@ class Trousers:
     """Part of what the leg loses from thigh to knee that each side seam takes; the inseams take the rest."""
     bow: float = 0.0
     """How far each side seam bows outward between hip and knee, as that of jodhpurs, cm."""
+    barrel: float = 0.0
+    """How far each side seam stands out at the knee, as that of barrel legs, cm."""
 
 
 def legs_of_bodice(
@@ -105,6 +107,8 @@ class LegLines:
     """By how much the back of the hem is wider than half of the leg, and the front narrower."""
     bow: float
     """How far the side seam bows outward above the knee."""
+    barrel: float
+    """How far it stands out at the knee."""
     roomy: bool
     """Whether there is so much room that the inseam of short legs runs straight."""
 
@@ -193,6 +197,7 @@ def _leg_lines(figure: Figure, shape: Trousers, hips: Halves, taken: Suppression
         reach=_reach(figure, shape.reach),
         step=step,
         bow=shape.bow if knee_y is not None else 0.0,
+        barrel=shape.barrel if knee_y is not None else 0.0,
         roomy=shape.leg_ease >= ROOMY_CM,
     )
 
@@ -258,10 +263,11 @@ def _leg_and_side(lines: LegLines, hip: float, step: float) -> Outline:
     outline = Outline(inner_hem, lines.hem_y).line("hem", hem_x, lines.hem_y)
     below = lines.hem_y
     if lines.knee_y is not None:
-        outline.line("side", knee_x, lines.knee_y)
+        _side_below_knee(outline, knee_x + lines.barrel, lines.knee_y, lines.barrel)
         below = lines.knee_y
     fall = lines.hip_y - below
     lean = (knee_x - hem_x) / max(below - lines.hem_y, 1.0) if lines.knee_y is not None else 0.0
+    lean = 0.0 if lines.barrel else lean
     start = outline.sides[-1].end
     # Two controls moved alike move the middle of the curve by three quarters as much.
     out = lines.bow / 0.75
@@ -280,6 +286,16 @@ def _leg_and_side(lines: LegLines, hip: float, step: float) -> Outline:
         (hip - lines.side_taken, top),
     )
     return outline
+
+
+def _side_below_knee(outline: Outline, x: float, y: float, barrel: float) -> None:
+    """Draws the side seam from the hem to a point at the knee, upright there where the leg is widest."""
+    if not barrel:
+        outline.line("side", x, y)
+        return
+    hem_x, hem_y = outline.sides[-1].end
+    rise = y - hem_y
+    outline.cubic("side", (hem_x + 0.4 * (x - hem_x), hem_y + 0.3 * rise), (x, y - 0.4 * rise), (x, y))
 
 
 def _inseam(outline: Outline, lines: LegLines) -> Outline:

@@ -27,6 +27,9 @@ Taper = Annotated[float, Option("How much narrower the hem is than the knee.", "
 Bow = Annotated[
     float, Option("How far each side seam bows outward at the thigh, as of jodhpurs.", "cm", 0.0, 8.0)
 ]
+Barrel = Annotated[
+    float, Option("How far each side seam stands out at the knee, as of barrel legs.", "cm", 0.0, 9.0)
+]
 CrotchDrop = Annotated[float, Option("Crotch of the trousers below the body's.", "cm", 0.0, 5.0)]
 
 
@@ -62,6 +65,7 @@ class JeansOptions:
     band_height: declared.BandHeight = 4.0
     below_waist: declared.BelowWaist = 0.0
     bow: Bow = 0.0
+    barrel: Barrel = 0.0
     stretch: declared.ClothStretch = 0.0
 
 
@@ -128,6 +132,7 @@ def _slim_legs(options: JeansOptions | LeggingsOptions) -> Trousers:
         reach=CLOSE_REACH,
         side_share=SIDE_SHARE,
         bow=options.bow if isinstance(options, JeansOptions) else 0.0,
+        barrel=options.barrel if isinstance(options, JeansOptions) else 0.0,
     )
 
 
