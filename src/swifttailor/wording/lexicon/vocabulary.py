@@ -20,7 +20,8 @@ CANNOT = "cannot.txt"
 TABLES: Mapping[Language, tuple[str, ...]] = {
     "en": (
         *("tops.txt", "outerwear.txt", "dresses.txt", "skirts.txt", "trousers.txt", "all_in_ones.txt"),
-        *("underwear.txt", "traditional.txt", "historical.txt", "uniforms.txt", "accessories.txt"),
+        *("underwear.txt", "traditional.txt", "historical.txt", "uniforms.txt"),
+        *("shops.txt", "accessories.txt"),
         *(
             "parts.txt",
             "necklines.txt",
