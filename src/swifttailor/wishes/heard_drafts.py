@@ -11,6 +11,7 @@ from swifttailor.describing.differences import Gain
 from swifttailor.pattern.drafts.draft_names import NamedDraft
 from swifttailor.wishes.armholes_as_asked import armholes_as_asked
 from swifttailor.wishes.asked_hems import hem_as_asked
+from swifttailor.wishes.bubble_hems import bubble_as_asked
 from swifttailor.wishes.button_counts import closed_as_counted
 from swifttailor.wishes.clinging_drafts import STRETCH, clinging_as_asked
 from swifttailor.wishes.drafts_as_asked import draft_as_asked
@@ -73,6 +74,7 @@ def drafts_of(heard: Heard) -> tuple[NamedDraft, ...]:
         fitting = [with_sailor_collar(draft) for draft in fitting]
     fitting = [legs_as_said(draft, heard.text, _elastic(heard), heard.never) for draft in fitting]
     fitting = [tiers_as_asked(godets_as_asked(draft, sure), sure) for draft in fitting]
+    fitting = [bubble_as_asked(draft, heard.lacks, sure) for draft in fitting]
     closed = [closed_as_counted(draft, heard.text) for draft in fitting]
     wanted = {lack.what for lack in heard.lacks if lack.said}
     opened = [opened_as_asked(draft, sure, wanted) for draft in closed]

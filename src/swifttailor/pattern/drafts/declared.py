@@ -84,6 +84,10 @@ HemDip = Annotated[
 ScallopWidth = Annotated[
     float, Option("Width of the arcs that the hem is cut in; none when 0. Not with a dip.", "cm", 0.0, 16.0)
 ]
+HemBand = Annotated[
+    float,
+    Option("Height of a band that a gathered hem is drawn into, as of bubble skirts.", "cm", 0.0, 6.0),
+]
 SkirtGathers = Annotated[
     float,
     Option("Width of a gathered skirt over the waist's; 1 cuts it from a circle.", "times", 1.0, 2.6),

@@ -130,6 +130,7 @@ class NamedDraft:
         if float(dict(self.options).get("crotch_drop", 0.0)) >= LOW_CROTCH_CM:
             shown = (*shown, LOW_CROTCH)
         curves = [CURVED_HEM] if dict(self.options).get(HEM_RISE, 0.0) else []
+        curves += [PUFFBALL] if dict(self.options).get(HEM_BAND, 0.0) else []
         return (*shown, *(["open_front"] if opens else ()), *(["stretch"] if stretches else ()), *curves)
 
     @property
@@ -158,6 +159,7 @@ class NamedDraft:
         wings = _OF_WINGS if dict(self.options).get(ARMHOLE) == "cut-in-one" else ()
         options = dict(self.options)
         hem = (*(_OF_DIPS if options.get(HEM_DIP) else ()), *(_OF_ARCS if options.get(SCALLOPS) else ()))
+        hem = (*hem, *(_OF_BUBBLES if options.get(HEM_BAND) else ()))
         blousing = self.name == "joggers" and float(options.get("leg_ease", 0.0)) >= BLOUSING_CM
         ends = _blousing_ends(float(options.get("length", 98.0))) if blousing else ()
         bowed = _OF_BOWS if options.get("bow") else _OF_BARRELS if options.get("barrel") else ()
@@ -205,6 +207,9 @@ STRAP_WIDTH = "strap_width"
 """The option of the straps of bibs."""
 HEM_RISE, CURVED_HEM = "hem_rise", "curved_hem"
 """The option of hems that are curved like a shirt's, and what they are in the lexicon's ``cannot.txt``."""
+HEM_BAND, PUFFBALL = "hem_band", "puffball"
+"""The option of gathered hems that are drawn into a band, and what they are in ``cannot.txt``."""
+_OF_BUBBLES = (("skirt", "gathered"),)
 HEM_DIP, SCALLOPS = "hem_dip", "scallop_width"
 """The options of hems that are lower behind than in front, and of those that are cut in arcs."""
 SIDE_SLITS = "side_slits"

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
-from swifttailor.pattern.drafts.figure import Halves
+from swifttailor.pattern.drafts.figure import Figure, Halves
 from swifttailor.pattern.drafts.fitted_skirt import SKIRT_BACK_Z, SKIRT_FRONT_Z
 from swifttailor.pattern.drafts.joins import sew_sides
 from swifttailor.pattern.drafts.outline import Outline, annular_sector
@@ -13,6 +13,10 @@ from swifttailor.pattern.drafts.shaped_hem import LEVEL, HemShape, shaped_sector
 
 SHORTEST_FLOUNCE = 8.0
 """Cm; shorter skirts have less of their close part."""
+LOWEST_HEM_BAND = 1.0
+"""Cm; skirts with less of a band have none."""
+_ROOM_TO_STEP_CM = 6.0
+"""Of a band at the hem, on top of the hips, which have to pass through it."""
 LARGEST_TURN = 0.93
 """Most of a full turn that one panel may cover."""
 
@@ -80,6 +84,42 @@ def lay_gathered_skirt(
         outline = annular_sector("waist", width, width + flare / 2, length, top_y)
         _lay(table, name, outline, name == "skirt_front")
     sew_sides(table, "skirt")
+
+
+def lay_bubble_skirt(
+    table: CuttingTable,
+    figure: Figure,
+    waist: Halves,
+    length: float,
+    top_y: float,
+    fullness: float,
+    band: float,
+) -> None:
+    """Lays a gathered skirt, and below it a band that draws its hem together, so that it puffs out.
+
+    The band's edges are those of a tier: ``skirt_front_0`` and ``skirt_back_0``.
+
+    Args:
+        table: Where they go.
+        figure: The band is as wide as its hips and some room, and never wider than the skirt.
+        waist: Half widths of the upper edge, cm.
+        length: Upper edge to hem, cm.
+        top_y: World height of the middle of the upper edge, cm.
+        fullness: Width over that of the upper edge.
+        band: Height of the band, cm; less than `LOWEST_HEM_BAND` is none.
+    """
+    height = band if band >= LOWEST_HEM_BAND else 0.0
+    lay_gathered_skirt(table, waist, length - height, top_y, fullness)
+    if not height:
+        return
+    room = figure.hips.eased(_ROOM_TO_STEP_CM)
+    for part, half in (("front", room.front), ("back", room.back)):
+        width = min(2 * half, table.length(f"skirt_{part}.bottom"))
+        outline = annular_sector("waist", width, width, height, top_y - length + height)
+        _lay(table, f"skirt_{part}_0", outline, part == "front")
+        table.seam(f"skirt_{part}_0.waist", f"skirt_{part}.bottom", gathered=True)
+    for side in ("left_side", "right_side"):
+        table.seam(f"skirt_front_0.{side}", f"skirt_back_0.{side}")
 
 
 def _lay(table: CuttingTable, name: str, outline: Outline, front: bool) -> None:

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure, Halves
-from swifttailor.pattern.drafts.flared_skirt import lay_flared_skirt, lay_gathered_skirt
+from swifttailor.pattern.drafts.flared_skirt import lay_bubble_skirt, lay_flared_skirt
 from swifttailor.pattern.drafts.joins import SKIRT_WHOLE, sew_skirt_to_bodice
 from swifttailor.pattern.drafts.shaped_hem import LEVEL, HemShape
 
@@ -28,6 +28,8 @@ class RoundSkirt:
     """Width over that of the seam it is gathered into; 1 for a skirt without gathers."""
     hem: HemShape = LEVEL
     """Of a skirt that is not gathered."""
+    hem_band: float = 0.0
+    """Height of a band that draws the hem of a gathered skirt together, cm."""
 
 
 def lay_round_skirt(table: CuttingTable, figure: Figure, skirt: RoundSkirt, waist: Halves) -> None:
@@ -35,7 +37,7 @@ def lay_round_skirt(table: CuttingTable, figure: Figure, skirt: RoundSkirt, wais
     top_y = figure.waist_y - _BELOW_WAIST_CM
     gathered = skirt.gathers >= LEAST_GATHERS
     if gathered:
-        lay_gathered_skirt(table, waist, skirt.length, top_y, skirt.gathers)
+        lay_bubble_skirt(table, figure, waist, skirt.length, top_y, skirt.gathers, skirt.hem_band)
     else:
         lay_flared_skirt(table, waist, skirt.length, top_y, skirt.fraction, skirt.hem)
     sew_skirt_to_bodice(table, SKIRT_WHOLE, gathered=gathered)

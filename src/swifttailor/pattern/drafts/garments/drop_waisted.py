@@ -9,7 +9,7 @@ from swifttailor.pattern.drafts import declared
 from swifttailor.pattern.drafts.bodice import LooseBodice, lay_loose_bodice, sew_centres
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure, Halves
-from swifttailor.pattern.drafts.flared_skirt import lay_gathered_skirt
+from swifttailor.pattern.drafts.flared_skirt import lay_bubble_skirt, lay_gathered_skirt
 from swifttailor.pattern.drafts.measurements import Measurements
 from swifttailor.pattern.drafts.neck_collar import CollarHeight, CollarOption, NeckCollar
 from swifttailor.pattern.drafts.neckline import Neckline
@@ -37,6 +37,7 @@ class DropWaistDressOptions:
         float, Option("Width of the skirt over that of the seam it is gathered into.", "times", 1.0, 1.6)
     ] = 1.35
     skirt_flare: Annotated[float, Option("Extra width of the hem, all around.", "cm", 0.0, 80.0)] = 20.0
+    hem_band: declared.HemBand = 0.0
     neckline: declared.NeckShapeOption = "round"
     neck_widening: declared.NeckWidening = 2.5
     neck_depth: declared.NeckDepth = 11.0
@@ -77,7 +78,11 @@ def draft_drop_waist_dress(options: DropWaistDressOptions, measurements: Measure
     collar.sew(table)
     hem = Halves(*[table.length(f"left_{part}torso.hem") for part in "fb"])
     top_y = figure.waist_y - seam - _BELOW_SEAM_CM
-    lay_gathered_skirt(table, hem, options.skirt_length - seam, top_y, options.fullness, options.skirt_flare)
+    length = options.skirt_length - seam
+    if options.hem_band:
+        lay_bubble_skirt(table, figure, hem, length, top_y, options.fullness, options.hem_band)
+    else:
+        lay_gathered_skirt(table, hem, length, top_y, options.fullness, options.skirt_flare)
     gathered = options.fullness > 1.0
     for part, halves in (("front", ("left", "right")), ("back", ("right", "left"))):
         table.label(f"skirt_{part}.waist", "lower_interface")

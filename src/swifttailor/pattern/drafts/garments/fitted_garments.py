@@ -215,6 +215,7 @@ class SkaterDressOptions(SleevedBodiceOptions):
     skirt_length: declared.SkirtLength = 50.0
     skirt_fraction: declared.CircleFraction = 0.75
     gathers: declared.SkirtGathers = 1.0
+    hem_band: declared.HemBand = 0.0
     hem_dip: declared.HemDip = 0.0
     scallop_width: declared.ScallopWidth = 0.0
 
@@ -227,7 +228,7 @@ def draft_skater_dress(options: SkaterDressOptions, measurements: Measurements) 
     table.mirror()
     sew_centres(table)
     hem = HemShape(options.hem_dip, options.scallop_width)
-    skirt = RoundSkirt(options.skirt_length, options.skirt_fraction, options.gathers, hem)
+    skirt = RoundSkirt(options.skirt_length, options.skirt_fraction, options.gathers, hem, options.hem_band)
     lay_round_skirt(table, figure, skirt, waist)
     return table.finish()
 

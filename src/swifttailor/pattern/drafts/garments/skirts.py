@@ -12,9 +12,9 @@ from swifttailor.pattern.drafts.figure import Figure
 from swifttailor.pattern.drafts.fitted_skirt import FittedSkirt, lay_fitted_skirt
 from swifttailor.pattern.drafts.flared_skirt import (
     SHORTEST_FLOUNCE,
+    lay_bubble_skirt,
     lay_flared_skirt,
     lay_flounce,
-    lay_gathered_skirt,
 )
 from swifttailor.pattern.drafts.godets import GodetCount, GodetHeight, Godets, GodetWidth, let_in_godets
 from swifttailor.pattern.drafts.joins import SKIRT_HALVES, SKIRT_WHOLE, sew_skirt_to_band
@@ -108,6 +108,7 @@ class GatheredSkirtOptions:
     fullness: Annotated[float, Option("Width of the skirt over the waistband.", "times", 1.25, 3.0)] = 1.8
     band_height: declared.BandHeight = 4.0
     waist_ease: declared.BandEase = 0.0
+    hem_band: declared.HemBand = 0.0
 
 
 def draft_gathered_skirt(options: GatheredSkirtOptions, measurements: Measurements) -> Pattern:
@@ -116,6 +117,7 @@ def draft_gathered_skirt(options: GatheredSkirtOptions, measurements: Measuremen
     table = CuttingTable("gathered-skirt")
     lower = lay_body_waist_band(table, figure, options.band_height, options.waist_ease)
     top_y = figure.waist_y - options.band_height - 3.0
-    lay_gathered_skirt(table, lower, options.length - options.band_height, top_y, options.fullness)
+    fall = options.length - options.band_height
+    lay_bubble_skirt(table, figure, lower, fall, top_y, options.fullness, options.hem_band)
     sew_skirt_to_band(table, SKIRT_WHOLE, gathered=True)
     return table.finish()
