@@ -114,3 +114,19 @@ def test_what_blouses_over_its_cuffs_ends_where_it_is_seen_to(reader):
     assert ("leg_hem", "ankle") in harem.is_to_the_eye
     (zouave, *_) = hear_description("zouave trousers", reader).drafts
     assert ("leg_hem", "calf") in zouave.is_to_the_eye
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "a foldover waistband",
+        "yoga waistband",
+        "a roll-top waist",
+        "fold-over waist",
+        "a waistband that folds down",
+    ],
+)
+def test_a_waistband_that_is_folded_down_is_deep(text):
+    leggings = NamedDraft.parse("leggings(length=90)")
+    assert dict(legs_as_said(leggings, f"leggings with {text}", (), ()).options)["band_height"] == 9.0
+    assert legs_as_said(leggings, "leggings with folds, and a waistband", (), ()) == leggings

@@ -22,6 +22,7 @@ from swifttailor.wishes.opened_drafts import opened_as_asked
 from swifttailor.wishes.oversized_drafts import oversized_as_asked
 from swifttailor.wishes.refused_looks import as_not_refused
 from swifttailor.wishes.sailor_collars import asks_for_sailor_collar, with_sailor_collar
+from swifttailor.wishes.tier_heights import tier_as_said
 from swifttailor.wishes.tiers_as_asked import tiers_as_asked
 from swifttailor.wording.lexicon import Entry
 
@@ -75,6 +76,7 @@ def drafts_of(heard: Heard) -> tuple[NamedDraft, ...]:
     fitting = [legs_as_said(draft, heard.text, _elastic(heard), heard.never) for draft in fitting]
     fitting = [tiers_as_asked(godets_as_asked(draft, sure), sure) for draft in fitting]
     fitting = [bubble_as_asked(draft, heard.lacks, sure) for draft in fitting]
+    fitting = [tier_as_said(draft, heard.text) for draft in fitting]
     closed = [closed_as_counted(draft, heard.text) for draft in fitting]
     wanted = {lack.what for lack in heard.lacks if lack.said}
     opened = [opened_as_asked(draft, sure, wanted) for draft in closed]

@@ -20,6 +20,15 @@ _DRAGS = re.compile(
 _NOT_LONG = re.compile(
     r"(?<!\w)(?:not|n't|nicht|isn't|aren't)\s+(?:\w+\s+)?(?:too|so|very|extra)\s+long", re.I
 )
+_FOLDED = re.compile(
+    r"(?<!\w)(?:(?:fold(?:s|ed|able|ing)?|roll(?:s|ed)?|turn(?:s|ed)?)[\s-]?(?:over|down|top)\b[\s-]?"
+    r"(?:waist|band|top)\w*|yoga[\s-](?:waist|band)\w*|(?:rolled|folded|foldable) waist\w*"
+    r"|(?:waist|waistband|band)(?: \w+){0,3} (?:fold|roll)(?:s|ed)? (?:it )?(?:over|down))(?!\w)",
+    re.IGNORECASE,
+)
+_BANDED = ("leggings", "flares", "pull-on-trousers", "joggers", "circle-skirt", "fitted-skirt")
+_FOLDED_CM = 9.0
+"""Height of a band of jersey that is folded down, as it is worn."""
 _DRAGGING_CM = 113.0
 _LONG_CM = 90.0
 """Legs that end above the ankle are not meant."""
@@ -44,11 +53,15 @@ def legs_as_said(
         wanted: Keys of ``cannot.txt`` that it asks for.
         never: What it refuses.
     """
-    if draft.name == "trousers" and ELASTIC in wanted:
+    folded = _FOLDED.search(text) is not None
+    if draft.name == "trousers" and (ELASTIC in wanted or folded):
         kept = {name: value for name, value in draft.options if name in _OF_BOTH}
         room = max(_PULLED_ON["hip_ease"], float(kept.get("hip_ease", 0.0)))
         draft = NamedDraft("pull-on-trousers", tuple({**_PULLED_ON, **kept, "hip_ease": room}.items()))
     options = dict(draft.options)
+    if folded and draft.name in _BANDED:
+        options["band_height"] = _FOLDED_CM
+        draft = replace(draft, options=tuple(options.items()))
     if draft.name in _GATHERED_DRESSES and ELASTIC in wanted:
         full = max(_GATHERS, float(options.get("gathers", 0.0)))
         return replace(draft, options=tuple({**options, "gathers": full}.items()))

@@ -16,6 +16,7 @@ from swifttailor.describing.differences import Change, Gain, Step, subject_of
 from swifttailor.wishes.clauses import clauses
 from swifttailor.wishes.mentions import find_mentions
 from swifttailor.wishes.text_tokens import LONGEST_TEXT
+from swifttailor.wishes.tier_heights import tier_figures
 from swifttailor.wording.instructions.requests import gain_words, step_words
 from swifttailor.wording.wordings import all_wordings
 
@@ -121,8 +122,11 @@ def _numbers(text: str, wishes: Collection[Change]) -> Iterator[_Place]:
         for wish in wishes
         if isinstance(wish, Gain | Step)
     ]
+    of_tiers = tier_figures(text)
     for mention in find_mentions(text):
         said = text[mention.start : mention.end]
+        if any(start <= mention.start < end for start, end in of_tiers):
+            continue
         if not mention.is_length and not re.fullmatch(r"[\d.,]+", said):
             continue
         if not any(isinstance(one, float | int) and abs(one - mention.value) < _SAME_CM for one in asked):

@@ -19,6 +19,7 @@ from swifttailor.pattern.pattern import Pattern
 
 _BELOW_HIPS_CM, _LOWEST_TIERS_CM = 6.0, 16.0
 """A close part ends so far below the hips at least, and leaves so much to its tiers, cm."""
+_LEAST_TIER_CM = 6.0
 _HIP_EASE_CM, _FLARE = 4.0, 1.0
 """Of the close part: cm, degrees."""
 
@@ -36,6 +37,10 @@ class TieredSkirtOptions:
         float,
         Option("Close part from the body's waist to the uppermost tier; 0: there is none.", "cm", 0.0, 76.0),
     ] = 0.0
+    first: Annotated[
+        float,
+        Option("Height of the uppermost tier; 0: as high as the others.", "cm", 0.0, 76.0),
+    ] = 0.0
     band_height: declared.BandHeight = 4.0
     waist_ease: declared.BandEase = 0.0
 
@@ -48,14 +53,15 @@ def draft_tiered_skirt(options: TieredSkirtOptions, measurements: Measurements) 
     if options.close > 0:
         _lay_below_hips(table, figure, options, waist)
         return table.finish()
-    height = (options.length - options.band_height) / options.tiers
+    heights = _heights(options)
     top_y = figure.waist_y - options.band_height - 3.0
     widths = {"front": 2 * waist.front, "back": 2 * waist.back}
     for tier in range(options.tiers):
         number, above = _number(tier), _number(tier - 1)
         for part in widths:
             widths[part] *= options.fullness
-            outline = annular_sector("waist", widths[part], widths[part], height, top_y - tier * height)
+            at = top_y - sum(heights[:tier])
+            outline = annular_sector("waist", widths[part], widths[part], heights[tier], at)
             z = SKIRT_FRONT_Z if part == "front" else SKIRT_BACK_Z
             name = f"skirt_{part}{number}"
             table.lay(name, outline, label="leg", at=(0.0, 0.0, z), back=part == "back")
@@ -78,6 +84,16 @@ def _lay_below_hips(table: CuttingTable, figure: Figure, options: TieredSkirtOpt
     sew_skirt_to_band(table, SKIRT_HALVES)
     height = (length - close) / options.tiers
     lay_tiers_below(table, options.tiers, height, figure.waist_y - close - 3.0, options.fullness)
+
+
+def _heights(options: TieredSkirtOptions) -> list[float]:
+    """Of all tiers from the waist down, cm."""
+    whole, count = options.length - options.band_height, options.tiers
+    if not options.first:
+        return [whole / count] * count
+    least = min(_LEAST_TIER_CM, whole / count)
+    first = min(max(options.first, least), whole - (count - 1) * least)
+    return [first, *[(whole - first) / (count - 1)] * (count - 1)]
 
 
 def _number(tier: int) -> str:

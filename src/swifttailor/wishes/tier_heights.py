@@ -1,0 +1,83 @@
+"""How high the uppermost tier of a skirt is told to be: "first tier 30 cm", "the top tier twice as long"."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import replace
+from functools import lru_cache
+
+from swifttailor.pattern.drafts.draft_names import NamedDraft
+
+_TIERED, _TIERS, _FIRST = "tiered-skirt", "tiers", "first"
+_USUAL_TIERS, _BAND_CM, _USUAL_CM = 3, 4.0, 84.0
+"""What the draft has where a text says nothing else: its tiers, height of band and length, cm."""
+_TWO_FIRST, _TWO_FULL = 0.44, 1.6
+"""The uppermost of two tiers as a part of both, and how wide each is over its edge: as one gathers by eye."""
+_LEAST_CM = 8.0
+_TIER = r"(?:tier|row|layer|flounce|ruffle|section|level|stage)"
+_UPPER = rf"(?:first|top|upper|uppermost|1st|highest) {_TIER}"
+_LOWER = rf"(?:second|bottom|lower|lowest|last|2nd|third|3rd|next) (?:{_TIER}|one)"
+_LENGTH = r"(?P<number>\d+(?:[.,]\d+)?) ?(?P<unit>cm|centimet(?:er|re)s?|mm|inch(?:es)?|in\b|\")"
+_MEASURED = re.compile(rf"(?P<which>{_UPPER}|{_LOWER})\b[^.;,\d]{{0,25}}?{_LENGTH}", re.IGNORECASE)
+_COMPARED = re.compile(
+    rf"{_UPPER}\b[^.;,\d]{{0,18}}?\b(?P<times>twice|two times|double|2x|2 times|three times|3 times|half|"
+    rf"as long as|the same length as|longer than|shorter than)\b[^.;]{{0,30}}?"
+    rf"(?:{_LOWER}|others?|rest|second|bottom)",
+    re.IGNORECASE,
+)
+_TIMES: Mapping[str, float] = {
+    **dict.fromkeys(("twice", "two times", "double", "2x", "2 times"), 2.0),
+    **dict.fromkeys(("three times", "3 times"), 3.0),
+    "half": 0.5,
+    "as long as": 1.0,
+    "the same length as": 1.0,
+    "longer than": 1.5,
+    "shorter than": 0.7,
+}
+_IN_CM: Mapping[str, float] = {"mm": 0.1, "i": 2.54, '"': 2.54, "c": 1.0}
+
+
+def tier_as_said(draft: NamedDraft, text: str) -> NamedDraft:
+    """A skirt in tiers, its uppermost as high as a text says; of two, less than half where it says nothing.
+
+    Args:
+        draft: As it goes with all else that is asked for.
+        text: The words.
+    """
+    options = dict(draft.options)
+    if draft.name != _TIERED or options.get("close"):
+        return draft
+    tiers = round(float(options.get(_TIERS, _USUAL_TIERS)))
+    whole = float(options.get("length", _USUAL_CM)) - float(options.get("band_height", _BAND_CM))
+    first = _told(text, tiers, whole)
+    if first is None and tiers == 2:
+        first = _TWO_FIRST * whole
+        options.setdefault("fullness", _TWO_FULL)
+    if first is None:
+        return draft
+    options[_FIRST] = round(min(max(first, _LEAST_CM), whole - _LEAST_CM * (tiers - 1)), 1)
+    return replace(draft, options=tuple(options.items()))
+
+
+@lru_cache(maxsize=64)
+def tier_figures(text: str) -> tuple[tuple[int, int], ...]:
+    """Where figures stand that tell how high a tier is: start and end of each."""
+    return tuple([(m.start("number"), m.end("unit")) for m in _MEASURED.finditer(text)])
+
+
+def _told(text: str, tiers: int, whole: float) -> float | None:
+    """Height of the uppermost tier by the text, cm; None where it says nothing of it."""
+    for found in _MEASURED.finditer(text):
+        unit = found["unit"].lower()
+        scale = next(value for key, value in _IN_CM.items() if unit.startswith(key))
+        height = float(found["number"].replace(",", ".")) * scale
+        if re.fullmatch(_UPPER, found["which"], re.IGNORECASE):
+            return height
+        if tiers == 2:
+            return whole - height
+    compared = _COMPARED.search(text)
+    if compared is None:
+        return None
+    times = _TIMES[compared["times"].lower()]
+    return whole * times / (times + tiers - 1)
