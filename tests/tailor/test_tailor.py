@@ -369,6 +369,8 @@ def test_what_cannot_be_cut_is_told(sewer):
         "asdf qwer zxcv", attempts=1, source="writer"
     )
     assert unread.notes[0] == NOTHING_UNDERSTOOD and unread.report["wishes"] == []
+    red = Tailor.load(scripted_maker([SHIRT]), sewer).generate("a red one", attempts=1, source="writer")
+    assert NOTHING_UNDERSTOOD not in red.notes
     left = Tailor.load(scripted_maker([DRESS]), sewer).generate("a midi dress", attempts=1, alter=False)
     assert like(left.pattern, DRESS) and left.report["wishes"] == []
 

@@ -42,6 +42,8 @@ def reader() -> WishReader:
         ),
         ("Dress. One slit, right side only, 10 inches up from the hem.", {"slit=right", "slit_cm=25.4"}),
         ("a skirt with triangles let in", {"skirt=godets"}),
+        ("a pant, very large down, tight up", {"legs=flared", "hips=close"}),
+        ("shorts, but something that from a distance might be a skirt", {"kind=shorts", "legs=wide"}),
         ("dress with sleeves that are tight at the shoulder and wide at the wrist", {"sleeve_shape=bell"}),
         ("trousers, narrow at the thigh and wide at the bottom", {"legs=flared"}),
         ("trousers that are loose around the hips but narrow at the ankle", {"legs=tapered", "hips=loose"}),

@@ -15,6 +15,8 @@ from swifttailor.wishes.text_as_read import text_as_read
         ("a skirt of 2. No hood", "a skirt of 2. No hood"),
         ("2. no hood 1. high collar", "2. no hood 1. high collar"),
         ("loger slevs", "longer sleeves"),
+        ("I leave the rest, i.e. at the waist", "I leave the rest, that is at the waist"),
+        ("sleeves, e.g. puffed", "sleeves, for example puffed"),
     ],
 )
 def test_numbers_of_lists_and_slips_are_put_right(text, read):

@@ -160,7 +160,7 @@ class Wanted:
         """Whether there is a text and nothing was understood of it for certain."""
         clothed = self.heard.color or self.heard.print or self.heard.plain or self.heard.cloth
         clothed = clothed or self.heard.looks
-        return self.leaves_cut and not (self.order.edit is not None and clothed)
+        return self.leaves_cut and not clothed
 
     @property
     def kind_is_guessed(self) -> bool:

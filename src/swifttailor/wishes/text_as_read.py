@@ -16,6 +16,12 @@ ENGLISH = "en"
 _DIGIT = re.compile(r"\d")
 _LEVELS = "knees?|ankles?|calf|calves|thighs?|mid-thigh|shins?|floor|ground|feet|elbows?|wrists?|hips?|waist"
 _ABOUT = re.compile(r"(?<!\w)(ca|approx)\. ", re.IGNORECASE)
+_SHORTENED = (
+    (re.compile(r"(?<!\w)i\. ?e\.?(?!\w)", re.IGNORECASE), "that is"),
+    (re.compile(r"(?<!\w)e\. ?g\.?(?!\w)", re.IGNORECASE), "for example"),
+    (re.compile(r"(?<!\w)(?:resp|cf|viz|incl)\.(?!\w)", re.IGNORECASE), "with"),
+)
+"""What is written short, and what it stands for."""
 _BODY = re.compile(rf"(?<!\w)(my|her|his|their|your) ({_LEVELS})(?!\w)", re.IGNORECASE)
 _REACHES = re.compile(
     r"(?<!\w)(?:touch|touching|reach|reaching|hit|hitting|graze|skim|meet|go down to|come down to) "
@@ -99,6 +105,8 @@ def _turned(text: str) -> str:
     text = _NONE_OF.sub(r"no \1", text)
     text = _without_list_numbers(_CORRECTED.sub("", _WITHDRAWN.sub("", text)))
     text = _ABOUT.sub(r"\1 ", text)
+    for short, long in _SHORTENED:
+        text = short.sub(long, text)
     text = _FROM.sub(turned, _OF.sub(turned, text))
     return _BODY.sub(r"the \2", _REACHES.sub(r"to the \2", text))
 
