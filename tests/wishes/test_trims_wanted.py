@@ -157,3 +157,17 @@ def test_of_what_closes_it_behind_nothing_hangs_lower_there():
     assert without_opposites([lower], read_words("a dress with a zip down the back")) == ()
     kept = without_opposites([lower], read_words("a high-low dress with a zip down the back"))
     assert kept == (lower,) == without_opposites([lower], read_words("a dress with a side zip"))
+
+
+@pytest.mark.parametrize(
+    ("text", "buttoned"),
+    [
+        ("a jacket without a collar", True),
+        ("a jacket without a collar, with a zip", False),
+        ("an edge to edge jacket", False),
+        ("a cardigan", False),
+    ],
+)
+def test_a_jacket_without_a_collar_is_buttoned_and_has_pockets(text, buttoned):
+    wanted = trims_wanted(heard(text), draft="cardigan")
+    assert (("buttons", "welt pockets") in [wish.choices[0] for wish in wanted]) == buttoned

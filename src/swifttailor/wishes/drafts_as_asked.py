@@ -217,7 +217,7 @@ def _as_another(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
 
 _OF_BANDED = ("length", "chest_ease", "shoulder_extension", "sleeve_length", "arm_ease", "sleeve_end")
 _COLLARLESS = NamedDraft.parse(
-    "cardigan(length=16;chest_ease=11;neck_depth=16;opening=1;sleeve_end=27;closed_to=8)"
+    "cardigan(length=21;chest_ease=11;neck_depth=16;opening=0;sleeve_end=27;closed_to=8)"
 )
 _FITTED = frozenset({Claim("fit", "close"), Claim("bodice", "darted")})
 _LONG_KNITTED = (("sleeve_length", 58.0), ("sleeve_end", 23.0))

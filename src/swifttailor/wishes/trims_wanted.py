@@ -68,6 +68,8 @@ _KNITS = frozenset({"jersey", "rib-knit", "sweatshirt", "fleece"})
 _SAID_ALONE = frozenset({"lace", "braid", "apron"})
 """What is put on only where the text itself asks for it, or a row of the tables has its trim."""
 _LOWER = ("trousers", "shorts")
+_COLLARLESS, _TAILORED = "cardigan", "blazer"
+"""The draft that a jacket without a collar is cut from, and the one with a collar."""
 _DENIM = "denim"
 _FLOUNCED = Claim("cuffs", "flounce")
 """Frills of the sleeves, where no others are named."""
@@ -116,7 +118,19 @@ def trims_wanted(heard: Heard, draft: str = "", kind: str = "") -> tuple[TrimWis
             found.append(TrimWish(lack.what, lack.said, choices, bool(said)))
     if draft in _RIBBED and not any(wish.what == _RIBS for wish in found) and _is_knitted(heard, draft):
         found.append(TrimWish(_RIBS, False, (("neck rib", "armhole ribs"), ("neck rib",))))
+    if draft == _COLLARLESS and not any(wish.what == "buttons" for wish in found) and _is_a_jacket(heard):
+        pocketed = () if any(wish.what == "pockets" for wish in found) else (("buttons", "welt pockets"),)
+        found.append(TrimWish("buttons", False, (*pocketed, ("buttons",))))
     return tuple(found)
+
+
+def _is_a_jacket(heard: Heard) -> bool:
+    """Whether what has no collar is called a jacket, which is closed in front where nothing else is told."""
+    marks = () if heard.words is None else heard.words.marks
+    named = [entry for mark in marks if not mark.denied for entry in mark.entries]
+    lacks = {lack.what for lack in heard.lacks if lack.said}
+    jackets = any(draft.name == _TAILORED for entry in named for draft in entry.drafts)
+    return jackets and lacks.isdisjoint({"zip", "open_front", "ties", "belt"})
 
 
 def _claims(heard: Heard) -> frozenset[Claim]:
