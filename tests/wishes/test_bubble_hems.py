@@ -25,6 +25,9 @@ def reader():
         ("a bubble hem dress", "skater-dress", ("skirt_length", 50.0)),
         ("a strapless mini dress with a bubble hem", "strapless-dress", ("skirt_length", 46.0)),
         ("a drop waist dress with a bubble hem", "drop-waist-dress", None),
+        ("drop waist bubble dress", "drop-waist-dress", ("skirt_length", 50.0)),
+        ("a bubble midi skirt", "gathered-skirt", ("length", 80.0)),
+        ("a strapless dress with a bubble hem", "strapless-dress", ("skirt_length", 50.0)),
     ],
 )
 def test_bubble_hems_are_drafted(reader, text, name, length):

@@ -19,7 +19,9 @@ _FULLNESS: Mapping[str, tuple[str, float]] = {
 """Drafts with that option, the option of their gathers, and what they have of them at least."""
 _CUT_AS = {"circle-skirt": "gathered-skirt"}
 """Skirts without gathers, and what they are drafted as instead; of them only the length stays."""
+_DROPPED = Claim("waist_seam", "dropped")
 _LENGTH, _BAND_CM = "length", 2.0
+_USUAL_CM = 50.0
 _LENGTHS: Mapping[str, float] = {
     "micro": 38.0,
     "mini": 46.0,
@@ -47,12 +49,15 @@ def bubble_as_asked(draft: NamedDraft, lacks: Sequence[Lack], sure: Sequence[Cla
     if draft.name in _CUT_AS:
         kept = tuple([option for option in draft.options if option[0] == _LENGTH])
         draft = NamedDraft(_CUT_AS[draft.name], kept)
+    if draft.name == "skater-dress" and _DROPPED in sure:
+        draft = NamedDraft("drop-waist-dress")
     if draft.name not in _FULLNESS:
         return draft
     option, least = _FULLNESS[draft.name]
     options = dict(draft.options)
+    length = _LENGTH if draft.kind == "skirt" else f"skirt_{_LENGTH}"
     told = [_LENGTHS[str(claim.value)] for claim in sure if claim.name == "skirt_hem"]
-    if told:
-        options[_LENGTH if draft.kind == "skirt" else f"skirt_{_LENGTH}"] = told[0]
+    if told or length not in options:
+        options[length] = told[0] if told else _USUAL_CM
     fullness = max(float(options.get(option, 0.0)), least)
     return replace(draft, options=tuple({**options, option: fullness, HEM_BAND: _BAND_CM}.items()))
