@@ -113,6 +113,7 @@ def test_low_rise_jeans_are_not_flared_and_pleated_trousers_no_paperbags():
         "a mini",
         "a black and white midi dress",
         "a mini, the corset in red",
+        "a wool coat midi",
     ],
 )
 def test_lengths_stand_where_no_name_is_parted_by_them(text):

@@ -11,6 +11,8 @@ _LENGTHS = frozenset(["micro", "mini", "midi", "midaxi", "maxi", "short", "long"
 """Words for how long a garment is that shops put right before its noun."""
 _OF_SKIRTS = frozenset(["mini", "midi", "midaxi", "maxi"])
 """Those that stand for a dress where no noun follows: "a corset midi"."""
+_COATS = frozenset(["coat", "jacket"])
+"""What stays itself before such a length: a coat midi is no coat dress."""
 _LENGTH = "length"
 """Ends a length of two words: "knee length"."""
 _TOGETHER = ("space", "hyphen")
@@ -74,6 +76,8 @@ def with_dress(tokens: Sequence[Token], known: Vocabulary) -> list[Token]:
         if behind is not None and not _says_nothing(known.find([behind])):
             continue
         before = tokens[k - 1].word
+        if before in _COATS:
+            continue
         worn = _names(known.find([before])) or not known.find([before, _SKIRT])
         if worn and _names(known.find([before, _DRESS])) and not known.find([before, token.word]):
             whole[-1] = token._replace(gap="space")
