@@ -110,6 +110,18 @@ def test_two_garments_that_are_worn_together_get_a_folder_each(tmp_path, capsys)
     assert "several garments at once" in Garment.load(tmp_path / "whole").report["heard"]["cannot"][0]
 
 
+def test_a_garment_that_was_alone_gives_place_to_several(write, tmp_path):
+    out = tmp_path / "out"
+    arguments = ("generate", "a <wuzzle>", "--out", out, "--source", "writer", "--no-preview")
+    write([draft("t-shirt")])
+    assert command(*arguments) in (0, 1)
+    assert (out / "pattern.json").is_file()
+    (out / "notes.txt").write_text("mine")
+    write([draft("t-shirt"), draft("fitted-skirt")])
+    assert command(*arguments, "--samples", 2) in (0, 1)
+    assert {p.name for p in out.iterdir()} == {".swifttailor", "notes.txt", "seed-0", "seed-1"}
+
+
 def test_several_samples_get_a_folder_each_and_a_sheet(write, tmp_path, capsys):
     script = [draft("t-shirt"), crossed(draft("t-shirt")), draft("fitted-skirt")], [crossed(draft("t-shirt"))]
     write(*script)

@@ -264,9 +264,13 @@ class Making(GarmentResults, WearerOptions, FabricOption):
                 else:
                     with output.inside(str(folder.relative_to(self.folder))) as inner:
                         one.save_in(inner, preview=self.preview)
-            if self.preview and len(outcomes) > 1:
-                with output.fill() as sheet:
-                    _write_sheet(sheet / SHEET, made)
+            if len(outcomes) > 1:
+                from swifttailor.garment.folder import GGI, SEEN, names_written
+
+                # A garment that was alone here before has given place to several.
+                with output.fill(stale=(*names_written(preview=True), GGI, SEEN)) as shared_folder:
+                    if self.preview:
+                        _write_sheet(shared_folder / SHEET, made)
         if self.json:
             _print_json(outcomes)
         else:
