@@ -228,6 +228,18 @@ def test_frills_begin_at_their_edge_and_go_on_beyond_it(name, trim, reach):
         assert areas(mesh).min() > 1e-6
 
 
+def test_frills_stand_off_evenly_where_the_cloth_is_uneven():
+    """As they do from smooth cloth: each fold at the edge would throw up a point of its own."""
+    smooth = with_trims(worn("shirt"), "neck frill")
+    noise = np.random.default_rng(1).normal(scale=0.15, size=smooth.vertices.shape)
+    uneven = replace(smooth, vertices=smooth.vertices + noise)
+    apart = []
+    for one, other in zip(trim_meshes(smooth), trim_meshes(uneven), strict=True):
+        away, _ = KDTree(one.vertices).query(other.vertices)
+        apart.append(float(np.quantile(away, 0.95)))
+    assert max(apart) < 0.63
+
+
 def test_flat_strips_lie_on_the_cloth():
     garment = with_trims(worn("shirt-dress"), "edging")
     for mesh in trim_meshes(garment):

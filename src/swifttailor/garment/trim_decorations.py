@@ -15,8 +15,10 @@ from swifttailor.pattern.trims.shapes import Bow, Frill
 if TYPE_CHECKING:
     from swifttailor.garment.garment import Garment
 
-_STEP = 0.7
+_STEP = 0.45
 """Distance of the columns of a frill, cm."""
+_EVENED_CM = 3.0
+"""So far on both sides of a place a frill stands off as it does there, cm."""
 _ROWS = 5
 _WAVE, _SWING = 0.75, 0.22
 """Length of a frill's waves and how far they swing at its border, as parts of its depth."""
@@ -143,7 +145,20 @@ def _runs(garment: Garment, frill: Frill) -> Iterator[tuple[Floats, Floats, Floa
             np.stack([np.interp(even, at, each[:, k]) for k in range(3)], axis=1)
             for each in (points, away, garment.vertex_normals[run])
         ]
-        yield rows[0], rows[1], rows[2]
+        ways, normals = (_evened(row) for row in rows[1:]) if frill.kind == "gathered" else rows[1:]
+        yield rows[0], ways, normals
+
+
+def _evened(ways: Floats) -> Floats:
+    """Directions (n, 3) without what cloth that is sewn in folds turns them by from place to place."""
+    beside = max(round(_EVENED_CM / _STEP), 1)
+    closed = len(ways) > 2 * beside + 1 and bool(np.allclose(ways[0], ways[-1]))
+    wrapped = [ways[-beside - 1 : -1], ways, ways[1 : beside + 1]] if closed else []
+    ends = [np.repeat(ways[:1], beside, axis=0), ways, np.repeat(ways[-1:], beside, axis=0)]
+    padded = np.concatenate(wrapped or ends)
+    sums = np.cumsum(np.concatenate([np.zeros((1, 3)), padded]), axis=0)
+    mean = sums[2 * beside + 1 :] - sums[: -2 * beside - 1]
+    return mean / np.maximum(np.linalg.norm(mean, axis=1, keepdims=True), 1e-9)
 
 
 def _travelled(line: Floats) -> Floats:
