@@ -49,6 +49,8 @@ class HemFacts:
     """Along the border, slits left out."""
     dip: float
     """How far the corners between panels hang below the middles of their hems; negative when above."""
+    arcs: int = 0
+    """Scallops: edges that hang below their ends, of panels with three or more of them."""
 
 
 @dataclass(frozen=True)

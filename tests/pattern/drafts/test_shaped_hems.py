@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from swifttailor.describing import measure_facts
+from swifttailor.describing import Claim, measure_facts
 from swifttailor.pattern.drafts import draft
 
 ROUND = [("circle-skirt", "length", "fraction"), ("skater-dress", "skirt_length", "skirt_fraction")]
@@ -44,6 +44,10 @@ def test_arcs_are_shallow_and_of_the_width_asked_for(name, length, fraction):
         deep.append(np.ptp((panel.sample_edge(k, 33) - start) @ np.array([-along[1], along[0]])))
     scallops = [w for w, depth in zip(widths, deep, strict=True) if 3.0 < depth < 5.0 and 7.0 < w < 13.0]
     assert len(scallops) >= 5
+    found = measure_facts(arcs)
+    assert Claim("hem_shape", "scalloped").holds(found) and not Claim("hem_shape", "level").holds(found)
+    level = measure_facts(draft(name, **{length: 50.0, fraction: 0.4}))
+    assert level.hem is not None and level.hem.arcs == 0
 
 
 def test_cloth_that_stretches_follows_the_waist_and_the_hips():

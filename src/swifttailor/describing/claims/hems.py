@@ -11,6 +11,7 @@ from swifttailor.describing.claims.judgement import (
     Predicate,
     above,
     all_of,
+    any_of,
     below,
     between,
     is_one_of,
@@ -99,6 +100,7 @@ HEM_CLAIMS: dict[str, tuple[str, dict[str, Predicate]]] = {
             "level": all_of(
                 below(measure_of("hem", _unevenness), 8.0, 2.0),
                 below(measure_of("hem", lambda hem: abs(hem.dip)), 7.0, 2.0),
+                where("hem.arcs", lambda arcs: arcs == 0),
             ),
             "high-low": above(measure_of("hem", lambda hem: hem.front - hem.back), 9.0, 2.5),
             "lower left": all_of(
@@ -109,7 +111,10 @@ HEM_CLAIMS: dict[str, tuple[str, dict[str, Predicate]]] = {
             ),
             # Corners between the panels hang down, as in a handkerchief hem.
             "pointed": all_of(there("skirt"), above("hem.dip", 9.0, 2.0)),
-            "scalloped": all_of(where("skirt.gores", lambda gores: gores > 3), below("hem.dip", -6.0, 1.5)),
+            "scalloped": any_of(
+                all_of(where("skirt.gores", lambda gores: gores > 3), below("hem.dip", -6.0, 1.5)),
+                where("hem.arcs", lambda arcs: arcs > 0),
+            ),
         },
     ),
     "slit": (

@@ -19,6 +19,8 @@ _STEEP = 0.8
 """A border edge that rises by more of its own length is the side of a slit, not hem."""
 _SHORTEST_SLIT_CM = 2.0
 _SECTOR_DEGREES = 35.0
+_ARC_CM, _WIDEST_ARC_CM, _ARCS = 1.5, 30.0, 3
+"""How far a scallop hangs down at least, how long it is at most, and how many of them a panel has."""
 
 
 @dataclass(frozen=True)
@@ -73,6 +75,7 @@ def measure_hem(anatomy: Anatomy, worn: Worn, hem: HemLine) -> HemFacts | None:
         right=right,
         length=length,
         dip=_dip(anatomy, worn, hem.edges),
+        arcs=_arcs(anatomy, worn, hem.edges),
     )
 
 
@@ -109,6 +112,17 @@ def _dip(anatomy: Anatomy, worn: Worn, edges: Sequence[EdgeRef]) -> float:
             levels = worn.levels(anatomy, [EdgeRef(name, k) for k in run])
             dips.append(float(levels[len(levels) // 2] - (levels[0] + levels[-1]) / 2))
     return float(np.mean(dips)) if dips else 0.0
+
+
+def _arcs(anatomy: Anatomy, worn: Worn, edges: Sequence[EdgeRef]) -> int:
+    """Scallops; the single curved hem of a gore is none."""
+    counts: dict[str, int] = {}
+    for ref in edges:
+        levels = worn.levels(anatomy, [ref])
+        hangs = min(levels[0], levels[-1]) - levels[len(levels) // 2]
+        if hangs >= _ARC_CM and anatomy.edge_length(ref) <= _WIDEST_ARC_CM:
+            counts[ref.panel] = counts.get(ref.panel, 0) + 1
+    return sum(count for count in counts.values() if count >= _ARCS)
 
 
 def _slits(anatomy: Anatomy, worn: Worn, steep: Sequence[EdgeRef]) -> tuple[Slit, ...]:
