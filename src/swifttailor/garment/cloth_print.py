@@ -54,8 +54,12 @@ class ClothPrint:
         """A size, or what is usual."""
         return float(self.sizes.get(name, _USUAL[name]))
 
-    def drawn(self) -> KnownPrint:
-        """The print as the renderer takes it."""
+    def drawn(self, grain: float = _GRAIN) -> KnownPrint:
+        """The print as the renderer takes it.
+
+        Args:
+            grain: Unevenness of the yarn, relative.
+        """
         from swifttailor.render.color import to_linear
         from swifttailor.render.prints import Checks, Dots, Motif, Plaid, Stripes
 
@@ -66,15 +70,15 @@ class ClothPrint:
         first, second = red_green_blue[0], red_green_blue[1]
         angle = self.size("angle")
         if self.kind == "stripes":
-            return Stripes(first, second, self.size("width"), self.size("gap"), angle, _GRAIN)
+            return Stripes(first, second, self.size("width"), self.size("gap"), angle, grain)
         if self.kind == "checks":
-            return Checks(first, second, self.size("width"), angle, _GRAIN)
+            return Checks(first, second, self.size("width"), angle, grain)
         if self.kind == "plaid":
-            return Plaid(first, second, red_green_blue[-1], self.size("spacing"), angle=angle, grain=_GRAIN)
+            return Plaid(first, second, red_green_blue[-1], self.size("spacing"), angle=angle, grain=grain)
         if self.kind == "dots":
-            return Dots(first, second, self.size("spacing"), self.size("radius"), angle, _GRAIN)
+            return Dots(first, second, self.size("spacing"), self.size("radius"), angle, grain)
         number = MOTIFS.index(self.motif)
-        return Motif(tuple(red_green_blue), number, self.size("repeat"), angle, _GRAIN)
+        return Motif(tuple(red_green_blue), number, self.size("repeat"), angle, grain)
 
     def to_json(self) -> dict[str, Any]:
         """As plain JSON values."""

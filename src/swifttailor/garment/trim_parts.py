@@ -33,6 +33,8 @@ class TrimPart:
     """(k, 2) edges that show, as vertex indices."""
     flat: Array | None = None
     """As `TrimMesh.flat`; None where a piece has none."""
+    panel: Array | None = None
+    """(n,) indices of the panels on which that is; goes with `flat`."""
     is_own_color: bool = False
     """Whether it is of another colour than such trims have on the cloth of the garment."""
 
@@ -50,6 +52,7 @@ def trim_parts(garment: Garment) -> tuple[TrimPart, ...]:
     for (trim, look, color), meshes in joined.items():
         first = np.cumsum([0, *[len(mesh.vertices) for mesh in meshes]])[:-1]
         flats = [mesh.flat for mesh in meshes if mesh.flat is not None]
+        on = [(garment.pattern.panel_index(m.panel), len(m.flat)) for m in meshes if m.flat is not None]
         parts.append(
             TrimPart(
                 f"{trim} ({look})",
@@ -59,6 +62,7 @@ def trim_parts(garment: Garment) -> tuple[TrimPart, ...]:
                 look,
                 np.concatenate([mesh.lines + start for mesh, start in zip(meshes, first, strict=True)]),
                 np.concatenate(flats) if len(flats) == len(meshes) else None,
+                np.repeat(*np.transpose(on)) if len(flats) == len(meshes) else None,
                 own[trim, look, color],
             )
         )

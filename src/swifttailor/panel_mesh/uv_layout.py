@@ -36,23 +36,33 @@ def lay_out_uv(mesh: PatternMesh, *, sleeves_upright: bool = True) -> tuple[Arra
     Returns:
         UV (m, 2) of the flat vertices, and the centimetres of cloth per unit, the same in u and v.
     """
-    count = len(mesh.pattern.panels)
-    flat, panel = np.asarray(mesh.flat_vertices, np.float64), mesh.flat_panel
-    if not len(flat):
+    if not len(mesh.flat_vertices):
         return np.zeros((0, 2)), 1.0
-    points = flat.copy()
+    points, panel = cut_from_cloth(mesh, sleeves_upright=sleeves_upright), mesh.flat_panel
+    high = np.zeros((len(mesh.pattern.panels), 2))
+    np.maximum.at(high, panel, points)
+    corner, side = pack_square(high)
+    return (points + corner[panel]) / side, side
+
+
+def cut_from_cloth(mesh: PatternMesh, *, sleeves_upright: bool = True) -> Array:
+    """The panels as they lie on the cloth, before they are laid side by side.
+
+    Args:
+        mesh: Any pattern mesh.
+        sleeves_upright: See `lay_out_uv`.
+
+    Returns:
+        (m, 2) flat vertices, cm from the lower left corner of the box around their panel.
+    """
+    points, panel = np.array(mesh.flat_vertices, np.float64), mesh.flat_panel
     mirrored = _wound_clockwise(mesh)
     points[mirrored[panel], 0] *= -1.0
     if sleeves_upright:
         points = _stood_upright(mesh, points, mirrored)
-    low = np.full((count, 2), np.inf)
-    high = np.full((count, 2), -np.inf)
+    low = np.full((len(mesh.pattern.panels), 2), np.inf)
     np.minimum.at(low, panel, points)
-    np.maximum.at(high, panel, points)
-    empty = ~np.isfinite(low).all(axis=1)
-    low[empty] = high[empty] = 0.0
-    corner, side = pack_square(high - low)
-    return (points - low[panel] + corner[panel]) / side, side
+    return points - low[panel]
 
 
 def _stood_upright(mesh: PatternMesh, points: Array, mirrored: Array) -> Array:

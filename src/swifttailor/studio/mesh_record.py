@@ -13,6 +13,7 @@ import numpy as np
 from swifttailor.arrays import Array
 
 if TYPE_CHECKING:
+    from swifttailor.garment.cloth_print import ClothPrint
     from swifttailor.garment.part_looks import PartLook
 
 MAGIC = b"STMESH01"
@@ -37,6 +38,8 @@ class MeshRecord:
     color: str | None = None
     looks: tuple[PartLook, ...] = ()
     """Of parts that look otherwise than the rest."""
+    print: ClothPrint | None = None
+    """On all that has no look of its own."""
 
     @property
     def size(self) -> int:

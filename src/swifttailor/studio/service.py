@@ -35,7 +35,7 @@ _FORMATS = (
     ("ply", "garment, PLY", "garment"),
     ("stl", "garment, STL", "garment"),
     ("usdz", "garment, USD in one file", "garment"),
-    ("usda", "garment, USD as text", "garment"),
+    ("usda", "garment, USD as text, without its print", "garment"),
     ("png", "picture of the garment: front, back and side", "garment"),
     ("zip", "everything in one file", "both"),
 )

@@ -1,7 +1,7 @@
 /** Chips and sliders: the pattern is cut to what they say. */
 
 import { api } from "../api/client";
-import type { ChangeRequest, Document, PartLook } from "../api/types";
+import type { ChangeRequest, ClothPrint, Document, PartLook } from "../api/types";
 import { versionOf } from "../state/document";
 import { LatestWins } from "../state/latest-wins";
 import { fromWire, type PatternJson } from "../state/pattern-json";
@@ -22,6 +22,7 @@ export async function alter(label: string, change: ChangeRequest): Promise<void>
       changes: [change],
       color: before.color,
       looks: before.looks?.parts ?? [],
+      print: before.print ?? null,
     });
     addMade(label, document);
   } catch (error) {
@@ -46,6 +47,7 @@ interface Slide {
   pattern: PatternJson;
   color: string | null;
   looks: PartLook[];
+  print: ClothPrint | null;
   dimension: string;
   value: number;
   label: string;
@@ -54,8 +56,8 @@ interface Slide {
 let slide: { base: Slide; shown: Document | null; released: boolean; asked: number } | null = null;
 
 const slider = new LatestWins<Slide, Document>(
-  ({ pattern, color, looks, dimension, value }) =>
-    api.alter({ pattern, changes: [{ dimension, value }], color, looks }),
+  ({ pattern, color, looks, print, dimension, value }) =>
+    api.alter({ pattern, changes: [{ dimension, value }], color, looks, print }),
   (document, state) => {
     if (slide === null) return;
     slide.shown = document;
@@ -78,8 +80,8 @@ export function slideTo(dimension: string, value: number, label: string): void {
   if (version === null) return;
   if (slide === null || slide.base.dimension !== dimension || slide.released) {
     slider.reset();
-    const { pattern, color } = version;
-    const base = { pattern, color, looks: version.looks?.parts ?? [], dimension, value, label };
+    const { pattern, color, print = null } = version;
+    const base = { pattern, color, looks: version.looks?.parts ?? [], print, dimension, value, label };
     slide = { base, shown: null, released: false, asked: value };
   }
   slide.asked = value;

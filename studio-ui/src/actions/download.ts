@@ -18,6 +18,7 @@ export async function download(format: string): Promise<void> {
       title: useProject.getState().name,
       color: version.color,
       looks: version.looks?.parts ?? [],
+      print: version.print ?? null,
       prompt: version.prompt,
       seed: version.seed,
     });

@@ -15,6 +15,7 @@ export async function drape(kind: "finish" | "drape", fabric: FabricName): Promi
     fabric,
     color: before.color,
     looks: before.looks?.parts ?? [],
+    print: before.print ?? null,
   });
   const document = job?.documents[0];
   if (document === undefined) return;

@@ -14,6 +14,7 @@ export async function editBy(instruction: string): Promise<boolean> {
     instruction: text,
     color: before.color,
     looks: before.looks?.parts ?? [],
+    print: before.print ?? null,
     ...(before.seed !== null ? { seed: before.seed } : {}),
   });
   const document = job?.documents[0];

@@ -14,7 +14,7 @@ const LARGEST_FILE = 100_000;
 /** Refits the shown pattern and sews it on that body; resolves with whether it was done. */
 export async function fitTo(
   label: string,
-  whom: Omit<FitRequest, "pattern" | "color" | "looks">,
+  whom: Omit<FitRequest, "pattern" | "color" | "looks" | "print">,
 ): Promise<boolean> {
   const { history } = useStudio.getState();
   const before = currentVersion(useStudio.getState());
@@ -22,11 +22,12 @@ export async function fitTo(
   const { set } = useSession.getState();
   set({ working: "Refitting the pattern" });
   try {
-    const { color, looks } = before;
+    const { color, looks, print = null } = before;
     const document = await api.fit({
       pattern: asDrafted(history).pattern,
       color,
       looks: looks?.parts ?? [],
+      print,
       ...whom,
     });
     // Somebody who has gone on meanwhile is not called back.

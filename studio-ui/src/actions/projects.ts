@@ -44,6 +44,7 @@ function contentNow(): ProjectContent | null {
       mesh: value.mesh,
       color: value.color,
       ...(value.looks !== undefined ? { looks: value.looks } : {}),
+      print: value.print ?? null,
       seed: value.seed,
     })),
     view: {
@@ -203,6 +204,7 @@ function restoreContent(content: ProjectContent): void {
             mesh: version.mesh,
             color: version.color,
             ...(version.looks !== undefined ? { looks: version.looks } : {}),
+            print: version.print ?? null,
             seed: version.seed,
             garment: version.mesh === null ? ("none" as const) : ("sewn" as const),
           },

@@ -121,6 +121,13 @@ export const api = {
   mesh: async (name: string) => (await ask(`/api/meshes/${id(name)}`)).arrayBuffer(),
   body: async (name: string) => (await ask(`/api/body/${id(name)}`)).arrayBuffer(),
 
+  /** One repeat of a print, and the matrix, row by row, from cm of the cloth to repeats. */
+  tile: async (query: URLSearchParams) => {
+    const answer = await ask(`/api/prints/tile?${query}`);
+    const matrix = (answer.headers.get("X-Tile") ?? "").split(" ").map(Number);
+    return { picture: await answer.blob(), matrix };
+  },
+
   sendBody: (file: File) =>
     ofJson<BodyAnswer>(`/api/bodies?file_name=${id(file.name.slice(-200))}`, {
       method: "POST",

@@ -227,6 +227,8 @@ export interface PanelLook {
   color: string | null;
   /** Share of what lies beneath that it hides. */
   opacity: number;
+  /** Whether the garment's print is on it; absent in what earlier versions have saved. */
+  printed?: boolean;
 }
 
 export interface Looks {
@@ -234,6 +236,25 @@ export interface Looks {
   parts: PartLook[];
   /** The panels that these are, by name. */
   panels: Record<string, PanelLook>;
+}
+
+/** Bands, crossing bands, tartan, dots, or a drawing that repeats. */
+export type PrintKind = "stripes" | "checks" | "plaid" | "dots" | "motif";
+export type PrintMotif = "flowers" | "leaves" | "blotches" | "spots" | "shapes";
+/**
+ * cm: width and gap of stripes, width of checks, spacing of plaid and dots, radius of dots, repeat of motifs; angle,
+ * degrees: 0 runs around the body, 90 down it.
+ */
+export type PrintSize = "width" | "gap" | "spacing" | "radius" | "repeat" | "angle";
+
+/** What is printed on or woven into a cloth. GET /api/prints/tile draws one repeat of it. */
+export interface ClothPrint {
+  kind: PrintKind;
+  /** Two to four, "#rrggbb": of stripes the band's and the gap's, else the ground's first. */
+  colors: string[];
+  motif?: PrintMotif;
+  /** Those that are not what is usual. */
+  sizes?: Partial<Record<PrintSize, number>>;
 }
 
 /** What all work answers with. */
@@ -268,6 +289,8 @@ export interface Document {
   color: string | null;
   /** Absent in what earlier versions have saved: they had none. */
   looks?: Looks;
+  /** What is printed on the cloth; absent in what earlier versions have saved. */
+  print?: ClothPrint | null;
   fabric: FabricName;
   edge_length: number;
   seed: number | null;
@@ -431,6 +454,7 @@ export interface AlterRequest {
   sew?: boolean;
   color?: string | null;
   looks?: PartLook[];
+  print?: ClothPrint | null;
 }
 
 // --- bodies -------------------------------------------------------------------------------------------------
@@ -453,6 +477,7 @@ export interface FitRequest {
   body?: string | null;
   color?: string | null;
   looks?: PartLook[];
+  print?: ClothPrint | null;
 }
 
 /** POST /api/wearer: who wears a pattern. Answer: WearerAnswer; the mesh can be fetched then. */
@@ -557,6 +582,7 @@ export interface EditJob {
   instruction: string;
   color?: string | null;
   looks?: PartLook[];
+  print?: ClothPrint | null;
   seed?: number;
   finish?: boolean;
 }
@@ -568,6 +594,7 @@ export interface SewJob {
   repair?: boolean;
   color?: string | null;
   looks?: PartLook[];
+  print?: ClothPrint | null;
 }
 
 /** Physics from the sewn garment (finish) or from the flat panels (drape), with live frames. */
@@ -581,6 +608,7 @@ export interface DrapeJob {
   edge_length?: number | null;
   color?: string | null;
   looks?: PartLook[];
+  print?: ClothPrint | null;
 }
 
 export interface AlterJob {
@@ -589,6 +617,7 @@ export interface AlterJob {
   changes: ChangeRequest[];
   color?: string | null;
   looks?: PartLook[];
+  print?: ClothPrint | null;
 }
 
 export type JobRequest = GenerateJob | EditJob | SewJob | DrapeJob | AlterJob;
@@ -676,6 +705,8 @@ export interface ProjectVersion {
   color: string | null;
   /** Absent in what earlier versions have saved. */
   looks?: Looks;
+  /** What is printed on the cloth; absent in what earlier versions have saved. */
+  print?: ClothPrint | null;
   seed: number | null;
 }
 
@@ -730,6 +761,7 @@ export interface ExportRequest {
   title?: string;
   color?: string | null;
   looks?: PartLook[];
+  print?: ClothPrint | null;
   prompt?: string;
   seed?: number | null;
 }
@@ -755,6 +787,13 @@ export interface MeshHeader {
   color: string | null;
   /** Parts that look otherwise than the rest; absent where there are none. */
   looks?: PartLook[];
+  /** On all that has no look of its own; absent where there is none. */
+  print?: ClothPrint;
+  /**
+   * Of each panel a to f: what is at u, v on it was cut from a u + b v + c, d u + e v + f of the cloth, cm. Absent in
+   * meshes of earlier versions.
+   */
+  on_cloth?: number[][];
   /** Pockets, buttons and the like, in the order in which they lie in the blocks; absent where there are none. */
   trims?: MeshTrim[];
   blocks: MeshBlock[];
@@ -790,6 +829,7 @@ export interface MeshBlock {
    * u32; triangles (t,3) u32 into the n vertices; strain (n,) f32: (length / rest - 1) of the most stretched
    * direction; seam_vertices, seam_offsets, edge_vertices, edge_offsets u32; color (n,3) f32 0..1, bodies only.
    * Of trims: trim_positions (m,3) f32 cm; trim_uv (m,2) f32 panel-local cm, 0 of what goes around the body;
+   * trim_panel (m,) u32, the panels on which that is;
    * trim_triangles (s,3) u32 and trim_lines (l,2) u32, edges that show, both counted from the trim's first vertex.
    */
   name: string;

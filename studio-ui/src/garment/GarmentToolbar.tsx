@@ -100,7 +100,8 @@ export function ViewTools({ viewer }: { viewer: GarmentViewer | null }) {
 
 /** Colour and print of the cloth. */
 function ClothPopover() {
-  const { print, change } = useDisplay();
+  const { trialPrint, change } = useDisplay();
+  const own = useStudio((state) => currentVersion(state)?.print ?? null);
   const color = useStudio((state) => currentVersion(state)?.color ?? null) ?? DEFAULT_CLOTH;
   const dye = (to: string) => {
     useStudio.getState().dye(to);
@@ -146,13 +147,30 @@ function ClothPopover() {
           </div>
           <h3>Print, at true scale</h3>
           <div className="options">
+            {own !== null && (
+              <label>
+                <input
+                  type="radio"
+                  name="print"
+                  checked={trialPrint === null}
+                  onChange={() => change({ trialPrint: null, coloring: "cloth", normals: false })}
+                />
+                As described: {own.kind === "motif" ? (own.motif ?? "shapes") : own.kind}
+              </label>
+            )}
             {PRINTS.map(({ value, label }) => (
               <label key={value}>
                 <input
                   type="radio"
                   name="print"
-                  checked={print === value}
-                  onChange={() => change({ print: value, coloring: "cloth", normals: false })}
+                  checked={(trialPrint ?? (own === null ? "plain" : null)) === value}
+                  onChange={() =>
+                    change({
+                      trialPrint: value === "plain" && own === null ? null : value,
+                      coloring: "cloth",
+                      normals: false,
+                    })
+                  }
                 />
                 {label}
               </label>

@@ -9,11 +9,13 @@ import {
   MeshNormalMaterial,
   MeshStandardMaterial,
   type Texture,
+  Vector4,
 } from "three";
 import type { PanelLook } from "../api/types";
 import type { Coloring, Print } from "../state/display";
 import { linear, PANEL_COLORS, type Rgb } from "./colors";
 import { computeNormals, type MeshData, spreadFrame } from "./mesh-file";
+import { isWoven, type PrintTile, tileTexture } from "./print-tile";
 import { printTexture } from "./prints";
 import { strainColor } from "./strain-colors";
 import { DARKEST, ownColor } from "./trim-color";
@@ -24,6 +26,8 @@ type Rgba = [number, number, number, number];
 export interface ClothLook {
   coloring: Coloring;
   print: Print;
+  /** The garment's own print, in place of `print`. */
+  tile: PrintTile | null;
   /** "#rrggbb" */
   color: string;
   /** Panels that look otherwise, by name. */
@@ -36,11 +40,28 @@ export interface ClothLook {
 export const PLAIN_LOOK: ClothLook = {
   coloring: "cloth",
   print: "plain",
+  tile: null,
   color: "#8aa5b8",
   panels: {},
   wireframe: false,
   normals: false,
 };
+
+/** Panels that look otherwise than their garment have nothing of its print. */
+const PRINTED_PANELS = `
+#ifdef USE_MAP
+  diffuseColor *= mix(vec4(1.0), texture2D(map, vMapUv), vPrinted);
+#endif`;
+/**
+ * The wrong side of the cloth is darker, so that one sees into a neck or under a hem; what is printed and not woven is
+ * not seen there.
+ */
+const WRONG_SIDE = `
+#include <color_fragment>
+  if (!gl_FrontFacing) {
+    if (wrongSide.a * vPrinted > 0.5) diffuseColor.rgb = wrongSide.rgb;
+    diffuseColor.rgb *= 0.62;
+  }`;
 
 /** No cloth throws back all light: the brightest keep room for their folds to be seen. */
 export const ALBEDO = 0.86;
@@ -51,6 +72,8 @@ export class Cloth {
   readonly glow: Mesh<BufferGeometry, MeshBasicMaterial>;
   data: MeshData | null = null;
   private look: ClothLook = PLAIN_LOOK;
+  /** Linear channels of the wrong side; the last is 1 where it is otherwise than the right one. */
+  private readonly wrongSide = new Vector4();
   private readonly material: MeshStandardMaterial;
   private readonly normalMaterial = new MeshNormalMaterial({
     side: DoubleSide,
@@ -69,12 +92,15 @@ export class Cloth {
     this.material.color.set(this.look.color).multiplyScalar(ALBEDO);
     this.material.polygonOffsetFactor = 1;
     this.material.polygonOffsetUnits = 1;
-    // The wrong side of the cloth is darker, so that one sees into a neck or under a hem.
     this.material.onBeforeCompile = (shader) => {
-      shader.fragmentShader = shader.fragmentShader.replace(
-        "#include <color_fragment>",
-        "#include <color_fragment>\n  if (!gl_FrontFacing) diffuseColor.rgb *= 0.62;",
-      );
+      shader.uniforms.wrongSide = { value: this.wrongSide };
+      shader.vertexShader = shader.vertexShader
+        .replace("#include <common>", "#include <common>\nattribute float printed;\nvarying float vPrinted;")
+        .replace("#include <uv_vertex>", "#include <uv_vertex>\n  vPrinted = printed;");
+      shader.fragmentShader = shader.fragmentShader
+        .replace("#include <common>", "#include <common>\nvarying float vPrinted;\nuniform vec4 wrongSide;")
+        .replace("#include <map_fragment>", PRINTED_PANELS)
+        .replace("#include <color_fragment>", WRONG_SIDE);
     };
     this.mesh = new Mesh(new BufferGeometry(), this.material);
     this.mesh.frustumCulled = false;
@@ -98,6 +124,12 @@ export class Cloth {
     return this.material.map;
   }
 
+  /** What is drawn, for tests and the curious: "plain", a print to look at, or "own" and the kind of the garment's. */
+  get printShown(): string {
+    if (this.material.map === null) return "plain";
+    return this.look.tile === null ? this.look.print : `own ${this.look.tile.print.kind}`;
+  }
+
   show(data: MeshData): void {
     const geometry = this.mesh.geometry;
     this.data = data;
@@ -105,12 +137,15 @@ export class Cloth {
       this.copy("position", data.positions);
       this.copy("normal", data.normals);
       this.copy("uv", data.uv);
+      this.copy("uv1", data.cloth);
     } else {
       // Attributes are replaced and not the geometry, so that materials and draw order stay.
       geometry.dispose();
       geometry.setAttribute("position", new BufferAttribute(data.positions.slice(), 3));
       geometry.setAttribute("normal", new BufferAttribute(data.normals.slice(), 3));
       geometry.setAttribute("uv", new BufferAttribute(data.uv.slice(), 2));
+      geometry.setAttribute("uv1", new BufferAttribute(data.cloth.slice(), 2));
+      geometry.setAttribute("printed", new BufferAttribute(new Float32Array(data.vertices), 1));
       geometry.setAttribute("color", new BufferAttribute(new Float32Array(4 * data.vertices), 4));
     }
     geometry.setIndex(new BufferAttribute(data.triangles, 1));
@@ -132,11 +167,14 @@ export class Cloth {
     const before = this.look;
     this.look = look;
     const printed = look.coloring === "cloth";
-    const other = before.print !== look.print || before.color !== look.color;
+    const other = before.print !== look.print || before.tile !== look.tile || before.color !== look.color;
     if (other || before.coloring !== look.coloring || before.panels !== look.panels) {
       const dyed = printed && Object.keys(look.panels).length > 0;
       this.material.map?.dispose();
-      this.material.map = printed ? printTexture(look.print, look.color, this.anisotropy) : null;
+      this.material.map = printed ? this.textureOf(look) : null;
+      const hidden = printed && look.tile !== null && !isWoven(look.tile.print);
+      const ground = ownColor(look.tile?.print.colors[0] ?? look.color);
+      this.wrongSide.set(ALBEDO * ground[0], ALBEDO * ground[1], ALBEDO * ground[2], hidden ? 1 : 0);
       this.material.vertexColors = !printed || dyed;
       this.material.transparent = dyed && Object.values(look.panels).some(({ opacity }) => opacity < 1);
       this.material.color
@@ -169,9 +207,18 @@ export class Cloth {
     this.glow.material.color.set(color);
   }
 
+  private textureOf({ tile, print, color }: ClothLook): Texture | null {
+    return tile === null ? printTexture(print, color, this.anisotropy) : tileTexture(tile, this.anisotropy);
+  }
+
   private recolor(): void {
     const data = this.data;
-    if (data === null || !this.material.vertexColors) return;
+    if (data === null) return;
+    const printed = this.mesh.geometry.getAttribute("printed") as BufferAttribute;
+    const plain = data.panels.map((name) => this.isPlain(name));
+    for (let v = 0; v < data.vertices; v += 1) printed.array[v] = plain[data.panel[v] as number] ? 0 : 1;
+    printed.needsUpdate = true;
+    if (!this.material.vertexColors) return;
     const attribute = this.mesh.geometry.getAttribute("color") as BufferAttribute;
     const out = attribute.array as Float32Array;
     const panels = data.panels.map((name) => this.panelColor(name));
@@ -185,8 +232,13 @@ export class Cloth {
   /** Linear channels and opacity of a panel of its own look, or of the rest; white below a print. */
   private panelColor(name: string): Rgba {
     const own = this.look.panels[name];
-    const base = this.material.map === null ? this.look.color : "#ffffff";
+    const base = this.material.map === null || this.isPlain(name) ? this.look.color : "#ffffff";
     return [...ownColor(own?.color ?? base), own?.opacity ?? 1];
+  }
+
+  /** Whether a panel has nothing of the garment's own print. */
+  private isPlain(name: string): boolean {
+    return this.look.tile !== null && this.look.panels[name]?.printed === false;
   }
 
   /** Linear channels that stand for a number: how the cloth is stretched, or which panel it is. */

@@ -18,6 +18,7 @@ function file(change: Partial<MeshHeader> = {}, magic = "STMESH01"): ArrayBuffer
     ["edge_offsets", "u32", [0, 2]],
     ["trim_positions", "f32", [0, 0, 1, 1, 0, 1, 0, 1, 1, 5, 5, 5, 6, 5, 5, 5, 6, 5]],
     ["trim_uv", "f32", [0, 0, 1, 0, 0, 1, 0, 0, 0, 0, 0, 0]],
+    ["trim_panel", "u32", [1, 1, 1, 0, 0, 0]],
     ["trim_triangles", "u32", [0, 1, 2, 0, 2, 1]],
     ["trim_lines", "u32", [0, 1, 1, 2]],
   ];
@@ -83,7 +84,15 @@ describe("mesh files", () => {
       { name: "patch pockets (cloth)", look: "cloth", on_panel: true, ...counts, lines: 2 },
       { name: "buckle belt (metal)", look: "metal", on_panel: false, ...counts, lines: 0 },
     ];
-    const [pocket, buckle] = readMeshFile(file({ trims })).trims;
+    const moved = [
+      [1, 0, 0, 0, 1, 0],
+      [0, 1, 7, -1, 0, 9],
+    ];
+    const mesh = readMeshFile(file({ trims, on_cloth: moved }));
+    const [pocket, buckle] = mesh.trims;
+    expect([...mesh.cloth]).toEqual([0, 0, 1, 0, 1, 1, 7, 9, 8, 8, 8, 9]);
+    expect([...(pocket?.cloth ?? [])]).toEqual([7, 9, 7, 8, 8, 9]);
+    expect(buckle?.cloth).toBeNull();
     expect(pocket?.look).toBe("cloth");
     expect([...(pocket?.uv ?? [])]).toEqual([0, 0, 1, 0, 0, 1]);
     expect([...(pocket?.lines ?? [])]).toEqual([0, 1, 1, 2]);

@@ -1,6 +1,7 @@
 /** Reads the studio's binary mesh files (API.md, "Mesh files") without copying their data. */
 
 import type { EdgePlace, MeshHeader, MeshSeam, TrimLook } from "../api/types";
+import { onCloth } from "./on-cloth";
 
 const MAGIC = "STMESH01";
 
@@ -12,6 +13,8 @@ export interface MeshData {
   normals: Float32Array;
   /** Panel-local cm, the same as the pattern's vertices; empty for bodies. */
   uv: Float32Array;
+  /** Where on the cloth the vertices were cut, cm: for prints that meet at seams. */
+  cloth: Float32Array;
   /** Index into `panels` per vertex; empty for bodies. */
   panel: Uint32Array;
   panels: string[];
@@ -40,6 +43,8 @@ export interface TrimData {
   positions: Float32Array;
   /** Panel-local cm, for prints; null of what goes around the body. */
   uv: Float32Array | null;
+  /** Where on the cloth they were cut, cm; goes with `uv`. */
+  cloth: Float32Array | null;
   triangles: Uint32Array;
   /** Pairs of vertices: edges that show. */
   lines: Uint32Array;
@@ -69,6 +74,7 @@ export function readMeshFile(buffer: ArrayBuffer): MeshData {
     positions: floats("positions"),
     normals: floats("normals"),
     uv: floats("uv"),
+    cloth: onCloth(floats("uv"), integers("panel"), header.on_cloth ?? []),
     panel: integers("panel"),
     panels: header.panels,
     weld: integers("weld"),
@@ -95,6 +101,8 @@ function readTrims(
   integers: (name: string) => Uint32Array,
 ): TrimData[] {
   const [positions, uv] = [floats("trim_positions"), floats("trim_uv")];
+  const panel = integers("trim_panel");
+  const cloth = onCloth(uv, panel, header.on_cloth ?? []);
   const [triangles, lines] = [integers("trim_triangles"), integers("trim_lines")];
   const from = { vertices: 0, triangles: 0, lines: 0 };
   return (header.trims ?? []).map((trim) => {
@@ -107,6 +115,7 @@ function readTrims(
       color: trim.color ?? null,
       positions: positions.subarray(3 * vertex, 3 * from.vertices),
       uv: trim.on_panel ? uv.subarray(2 * vertex, 2 * from.vertices) : null,
+      cloth: trim.on_panel ? cloth.subarray(2 * vertex, 2 * from.vertices) : null,
       triangles: triangles.subarray(3 * triangle, 3 * from.triangles),
       lines: lines.subarray(2 * line, 2 * from.lines),
     };

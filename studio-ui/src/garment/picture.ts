@@ -1,9 +1,9 @@
 /** A small picture of a garment from the front, drawn out of sight. */
 
-import { type ClothLook, PLAIN_LOOK } from "./cloth";
-import { DEFAULT_CLOTH } from "./cloth-color";
+import type { Document } from "../api/types";
 import { bodyMesh } from "./mesh-cache";
 import type { MeshData } from "./mesh-file";
+import { ownLook } from "./own-look";
 import { GarmentViewer } from "./viewer";
 
 const WIDTH = 260;
@@ -15,18 +15,17 @@ let queue: Promise<unknown> = Promise.resolve();
 export function renderedPicture(
   mesh: MeshData,
   body: string,
-  color: string | null,
-  panels: ClothLook["panels"] = PLAIN_LOOK.panels,
+  cloth: Pick<Document, "color" | "looks" | "print">,
 ): Promise<string> {
   const picture = queue.then(async () => {
-    const wearer = await bodyMesh(body);
+    const [wearer, look] = await Promise.all([bodyMesh(body), ownLook(cloth)]);
     const box = document.createElement("div");
     box.style.cssText = `position: fixed; left: -9999px; width: ${WIDTH}px; height: ${HEIGHT}px`;
     document.body.append(box);
     const viewer = new GarmentViewer(box);
     try {
       viewer.showBody(wearer);
-      viewer.setLook({ ...PLAIN_LOOK, color: color ?? DEFAULT_CLOTH, panels });
+      viewer.setLook(look);
       viewer.setSeamsVisible(false);
       viewer.showGarment(mesh, []);
       viewer.frameAll(false);

@@ -56,6 +56,7 @@ export class Trims {
       const geometry = new BufferGeometry();
       geometry.setAttribute("position", new BufferAttribute(data.positions, 3));
       if (data.uv !== null) geometry.setAttribute("uv", new BufferAttribute(data.uv, 2));
+      if (data.cloth !== null) geometry.setAttribute("uv1", new BufferAttribute(data.cloth, 2));
       geometry.setIndex(new BufferAttribute(data.triangles, 1));
       geometry.computeVertexNormals();
       const material = new MeshStandardMaterial({
@@ -87,7 +88,8 @@ export class Trims {
   }
 
   private paint(): void {
-    const { coloring, color, wireframe, normals } = this.look;
+    const { coloring, wireframe, normals, tile } = this.look;
+    const color = tile?.print.colors[0] ?? this.look.color;
     this.object.visible = this.parts.length > 0 && (coloring === "cloth" || normals);
     this.normalMaterial.wireframe = wireframe;
     for (const { data, mesh, material, edges } of this.parts) {

@@ -5,6 +5,7 @@ import { tellFailure } from "../actions/failures";
 import { sewAgain } from "../actions/live";
 import { bodyOf, wearerKey } from "../actions/wearers";
 import { ApiError } from "../api/client";
+import type { ClothPrint } from "../api/types";
 import { useDisplay } from "../state/display";
 import type { Version } from "../state/document";
 import { seamColor } from "../state/seam-colors";
@@ -14,6 +15,7 @@ import { PLAIN_LOOK } from "./cloth";
 import { DEFAULT_CLOTH } from "./cloth-color";
 import { garmentMesh } from "./mesh-cache";
 import type { MeshData } from "./mesh-file";
+import { loadedTile, printTile, samePrint } from "./print-tile";
 import { GarmentViewer } from "./viewer";
 
 export function useGarmentViewer(box: RefObject<HTMLDivElement | null>): GarmentViewer | null {
@@ -130,6 +132,9 @@ function followBody(viewer: GarmentViewer): () => void {
     const name = wearerKey(pattern);
     if (name === shown) return;
     shown = name;
+    // The one before would stick out of what is made for another.
+    viewer.showBody(null);
+    viewer.stage.unmark("wearer");
     bodyOf(pattern).then((data) => {
       if (shown !== name) return;
       viewer.showBody(data);
@@ -159,12 +164,24 @@ function followFrames(viewer: GarmentViewer): () => void {
 }
 
 function followLook(viewer: GarmentViewer): () => void {
+  let awaited: ClothPrint | null = null;
   const update = () => {
-    const { coloring, print, body, wireframe, normals, seams } = useDisplay.getState();
+    const { coloring, trialPrint, body, wireframe, normals, seams } = useDisplay.getState();
     const version = currentVersion(useStudio.getState());
     const color = version?.color ?? DEFAULT_CLOTH;
     const panels = version?.looks?.panels ?? PLAIN_LOOK.panels;
-    viewer.setLook({ coloring, print, color, panels, wireframe, normals });
+    const own = trialPrint === null ? (version?.print ?? null) : null;
+    const tile = own === null ? null : loadedTile(own);
+    const print = trialPrint ?? "plain";
+    viewer.setLook({ coloring, print, tile, color, panels, wireframe, normals });
+    if (own !== null && tile === null && own !== awaited) {
+      awaited = own;
+      printTile(own)
+        .then(update, tellFailure)
+        .finally(() => {
+          awaited = null;
+        });
+    }
     viewer.setBodyVisible(body);
     viewer.setSeamsVisible(seams);
   };
@@ -174,8 +191,12 @@ function followLook(viewer: GarmentViewer): () => void {
     useDisplay.subscribe(update),
     useStudio.subscribe((state) => {
       const now = currentVersion(state);
-      if (now?.color !== shown?.color || now?.looks !== shown?.looks) update();
+      const before = shown;
       shown = now;
+      const printed = !samePrint(now?.print, before?.print);
+      // A print that was asked for is shown, whatever was looked at before.
+      if (printed && before !== null && now?.print) useDisplay.getState().change({ trialPrint: null });
+      if (printed || now?.color !== before?.color || now?.looks !== before?.looks) update();
     }),
   ];
   return () => {

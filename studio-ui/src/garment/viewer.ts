@@ -125,6 +125,7 @@ export class GarmentViewer {
   setLook(look: ClothLook): void {
     this.cloth.setLook(look);
     this.trims.setLook(look, this.cloth.texture);
+    this.stage.mark("print", this.cloth.printShown);
     this.markTrims();
     this.stage.invalidate();
   }

@@ -1,8 +1,7 @@
 import { useEffect, useRef, useState } from "react";
 import { bodyOf } from "../actions/wearers";
-import { PLAIN_LOOK } from "../garment/cloth";
-import { DEFAULT_CLOTH } from "../garment/cloth-color";
 import { garmentMesh } from "../garment/mesh-cache";
+import { ownLook } from "../garment/own-look";
 import { GarmentViewer } from "../garment/viewer";
 import type { Version } from "../state/document";
 import type { HistoryEntry } from "../state/history";
@@ -73,7 +72,7 @@ export function CompareDialog() {
 function GarmentView({ entry, link }: { entry: HistoryEntry<Version>; link: CameraLink }) {
   const box = useRef<HTMLDivElement>(null);
   const [viewer, setViewer] = useState<GarmentViewer | null>(null);
-  const { mesh, pattern, color, looks } = entry.value;
+  const { mesh, pattern, color, looks, print } = entry.value;
   useEffect(() => {
     if (box.current === null) return;
     const made = new GarmentViewer(box.current);
@@ -87,9 +86,11 @@ function GarmentView({ entry, link }: { entry: HistoryEntry<Version>; link: Came
   useEffect(() => {
     if (viewer === null) return;
     let gone = false;
-    const panels = looks?.panels ?? PLAIN_LOOK.panels;
-    viewer.setLook({ ...PLAIN_LOOK, color: color ?? DEFAULT_CLOTH, panels });
+    void ownLook({ color, ...(looks !== undefined ? { looks } : {}), print: print ?? null }).then((look) => {
+      if (!gone) viewer.setLook(look);
+    });
     viewer.setSeamsVisible(false);
+    viewer.showBody(null);
     void bodyOf(pattern).then((data) => {
       if (!gone) viewer.showBody(data);
     });
@@ -109,7 +110,7 @@ function GarmentView({ entry, link }: { entry: HistoryEntry<Version>; link: Came
     return () => {
       gone = true;
     };
-  }, [viewer, mesh, pattern, color, looks, link]);
+  }, [viewer, mesh, pattern, color, looks, print, link]);
   return (
     <div className="compare-stage">
       <div

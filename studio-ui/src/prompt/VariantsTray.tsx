@@ -47,7 +47,7 @@ function Picture({ variant }: { variant: Document }) {
     let gone = false;
     if (variant.mesh !== null)
       garmentMesh(variant.mesh)
-        .then((mesh) => renderedPicture(mesh, variant.body, variant.color, variant.looks?.panels))
+        .then((mesh) => renderedPicture(mesh, variant.body, variant))
         .then(
           (url) => {
             if (!gone) setSource(url);

@@ -10,7 +10,8 @@ export type Layout = "both" | "pattern" | "garment";
 
 export interface DisplayOptions {
   coloring: Coloring;
-  print: Print;
+  /** A print to look at in place of the garment's own; null: its own. */
+  trialPrint: Print | null;
   body: boolean;
   wireframe: boolean;
   /** Whether the cloth shows which way it faces, in place of its colour. */
@@ -30,7 +31,7 @@ interface DisplayState extends DisplayOptions {
 
 const DEFAULTS: DisplayOptions = {
   coloring: "cloth",
-  print: "plain",
+  trialPrint: null,
   body: true,
   wireframe: false,
   normals: false,

@@ -193,6 +193,20 @@ describe("the store", () => {
     expect(shownTrims(state())).toBe(before);
   });
 
+  it("dyes the cloth in its print too, and keeps what is printed on it", () => {
+    const pattern = square(10);
+    const colors = ["#ffffff", "#123456"];
+    const print = { kind: "dots" as const, colors, sizes: { radius: 1 } };
+    useStudio.getState().open("Made", { ...versionOf(document(pattern, "mesh")), print });
+    useStudio.getState().dye("#aa0000");
+    expect(currentVersion(useStudio.getState())?.print).toEqual({ ...print, colors: ["#ffffff", "#aa0000"] });
+    useStudio.getState().apply("Move", square(12));
+    expect(currentVersion(useStudio.getState())?.print?.colors).toEqual(["#ffffff", "#aa0000"]);
+    useStudio.getState().open("Made", versionOf(document(pattern, "mesh")));
+    useStudio.getState().dye("#00aa00");
+    expect(currentVersion(useStudio.getState())?.print ?? null).toBeNull();
+  });
+
   it("toggles what is selected", () => {
     state().select({ kind: "panel", panel: "front" }, "toggle");
     state().select({ kind: "edge", panel: "front", edge: 1 }, "toggle");

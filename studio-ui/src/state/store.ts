@@ -1,7 +1,7 @@
 /** The open document with its history, what is selected, and units and theme. See STORE.md. */
 
 import { create } from "zustand";
-import type { FindingInfo, Reading, SeamInfo, TrimMark } from "../api/types";
+import type { ClothPrint, FindingInfo, Reading, SeamInfo, TrimMark } from "../api/types";
 import type { Arrangement } from "../pattern/layout/arrangement";
 import { changedVersion, type Version } from "./document";
 import { amended, canRedo, canUndo, type History, movedTo, pushed, started } from "./history";
@@ -150,7 +150,9 @@ export const useStudio = create<StudioState>()((set, get) => ({
   previewAnswered: (answer) => set({ draft: answer.pattern, draftAnswer: answer }),
   dye: (color) => {
     const version = currentVersion(get());
-    if (version !== null) get().amend(version.pattern, { color });
+    if (version === null) return;
+    const print = version.print == null ? {} : { print: recolored(version.print, version.color, color) };
+    get().amend(version.pattern, { color, ...print });
   },
   undo: () => get().goTo((get().history?.index ?? 0) - 1),
   redo: () => get().goTo((get().history?.index ?? 0) + 1),
@@ -228,6 +230,12 @@ export function lastReading(state: StudioState): Reading | null {
     if (reading) return reading;
   }
   return null;
+}
+
+/** The print with the cloth's colour, or else its first one, changed. */
+function recolored(print: ClothPrint, before: string | null, after: string): ClothPrint {
+  const place = Math.max(0, print.colors.indexOf(before ?? ""));
+  return { ...print, colors: print.colors.map((color, k) => (k === place ? after : color)) };
 }
 
 function arrangedAs(before: Version | null, version: Version): Version {

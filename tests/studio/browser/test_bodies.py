@@ -16,7 +16,8 @@ def studio_page(page) -> StudioPage:
 
 
 def wearer(studio_page) -> str:
-    """What the drawn body was made to."""
+    """What the drawn body was made to, once there is one."""
+    studio_page.page.locator("canvas[data-wearer]").wait_for()
     return studio_page.canvas.get_attribute("data-wearer")
 
 

@@ -126,6 +126,7 @@ async def export(name: str, format: str, request: Request) -> Response:
         "seed": content["seed"],
         "color": shown["color"],
         "looks": shown.get("looks", {}).get("parts", []),
+        "print": shown.get("print"),
     }
     return await exported(studio, shown["pattern"], shown["mesh"], format, facts)
 
@@ -189,6 +190,7 @@ async def _write_garment(studio: Studio, project: StoredProject) -> list[str]:
         "seed": content["seed"],
         "color": shown["color"],
         "looks": shown.get("looks", {}).get("parts", []),
+        "print": shown.get("print"),
     }
     try:
         await studio.do(

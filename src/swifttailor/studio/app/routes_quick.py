@@ -10,6 +10,7 @@ from fastapi.responses import Response
 
 from swifttailor.studio.app.answers import ERRORS, Responses, StudioError, json_answer
 from swifttailor.studio.app.studio_of import studio_of
+from swifttailor.studio.app.tile_query import TileQuery
 from swifttailor.studio.models.documents import Document
 from swifttailor.studio.models.quick import (
     AlterRequest,
@@ -43,6 +44,13 @@ _STALE: dict[str, Any] = {
     "seconds": {},
 }
 _FILE: Responses = {200: {"content": {"application/octet-stream": {}}, "description": "The file."}}
+_TILE: Responses = {
+    200: {
+        "content": {"image/png": {}},
+        "description": "One repeat. X-Tile: the matrix, row by row, from cm of the cloth to repeats.",
+    }
+}
+_AN_HOUR = "private, max-age=3600"
 _MESH_BODY = {
     "requestBody": {
         "required": True,
@@ -140,15 +148,24 @@ async def alter(asked: AlterRequest, request: Request) -> Response:
         sew=asked.sew,
         color=asked.color,
         looks=[look.model_dump() for look in asked.looks],
+        print=None if asked.print is None else asked.print.model_dump(),
     )
     return json_answer(answer)
+
+
+@api.get("/prints/tile", response_class=Response, responses=_TILE)
+async def tile(asked: Annotated[TileQuery, Query()], request: Request) -> Response:
+    """One repeat of a print."""
+    found = await studio_of(request).do("tile", print=asked.as_print().model_dump())
+    headers = {"Cache-Control": _AN_HOUR, "X-Tile": " ".join(f"{number:.6g}" for number in found["matrix"])}
+    return Response(found["png"], media_type="image/png", headers=headers)
 
 
 @api.post("/export", response_class=Response, responses=_FILE)
 async def export(asked: ExportRequest, request: Request) -> Response:
     """A pattern or garment as a file."""
     studio = studio_of(request)
-    facts = asked.model_dump(include={"title", "prompt", "seed", "color", "looks"})
+    facts = asked.model_dump(include={"title", "prompt", "seed", "color", "looks", "print"})
     return await exported(studio, asked.pattern, asked.mesh, asked.format, facts)
 
 
@@ -162,7 +179,7 @@ async def exported(
         pattern: What is shown.
         mesh: Name of its garment's mesh.
         format: Ending without the dot.
-        facts: Title, prompt, seed, color.
+        facts: Title, prompt, seed, color, looks, print.
     """
     known = [one["name"] for one in studio.formats()]
     if format not in known:

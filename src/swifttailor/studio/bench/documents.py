@@ -13,7 +13,7 @@ from swifttailor.pattern import Finding, Pattern, Reading, read_specification, t
 from swifttailor.pattern.trims.names import TRIMS, trim_said
 from swifttailor.studio.bench.chips import EMPTY_READING, change_line, reading_of, shown_chips, sliders
 from swifttailor.studio.bench.mesh_files import garment_record
-from swifttailor.studio.bench.part_looks import looks_of
+from swifttailor.studio.bench.part_looks import looks_of, print_shown
 from swifttailor.studio.bench.pattern_facts import check, finding_infos, seam_infos
 from swifttailor.studio.bench.trim_blocks import trim_marks
 from swifttailor.studio.bench.wearers import wearing
@@ -92,8 +92,9 @@ def document(
         if quality is None
         else {"accepted": bool(quality["accepted"]), "reasons": list(quality["reasons"])},
         "garment": state if garment is not None else "none",
-        "color": (garment.color if garment is not None else None) or cloth_color(pattern),
+        "color": cloth_color(pattern) if garment is None else _shown_color(garment),
         "looks": looks_of(garment),
+        "print": None if garment is None else print_shown(garment.print),
         "fabric": "cotton",
         "edge_length": edge_length,
         "seed": None,
@@ -142,6 +143,12 @@ def tailored_document(
         "fabric": cloth,
     }
     return replace(work, answer=work.answer | known | more)
+
+
+def _shown_color(garment: Garment) -> str:
+    """That of its cloth; of printed cloth of no other colour the print's first."""
+    printed = None if garment.print is None else garment.print.colors[0]
+    return garment.color or printed or cloth_color(garment.pattern)
 
 
 def unsewable(error: SwiftTailorError) -> dict[str, str]:

@@ -11,6 +11,8 @@ from typing import Any
 
 from swifttailor.body import Body
 from swifttailor.errors import GeometryError, InputError, SwiftTailorError
+from swifttailor.garment.cloth_color import COLOR
+from swifttailor.garment.cloth_print import PRINT
 from swifttailor.garment.folder import DRAWING, OF_A_GARMENT, PATTERN, write_files
 from swifttailor.garment.formats import MESH_ENDINGS, write_garment_mesh
 from swifttailor.garment.garment import Garment
@@ -29,6 +31,7 @@ from swifttailor.studio.worker.link import Link
 from swifttailor.tailor.tailored import PREVIEW_SIZE
 
 OF_PATTERNS = ("json", "svg")
+_WITHOUT_PRINT = ("usda",)
 _EPOCH = 1980, 1, 1, 0, 0, 0
 """Of files in a zip, so that the same garment gives the same bytes."""
 
@@ -43,7 +46,7 @@ def export(
         pattern: What is shown.
         mesh: Its garment, where there is one.
         format: Ending without the dot, or ``zip`` of everything.
-        facts: What is known besides, for the report: title, prompt, seed, color, looks.
+        facts: What is known besides, for the report: title, prompt, seed, color, looks, print.
     """
     shown = read_pattern(pattern).pattern.canonical()
     shown = replace(shown, name=facts.get("title") or shown.name)
@@ -59,7 +62,9 @@ def export(
             return Work((place / "preview.png").read_bytes())
         if f".{format}" in MESH_ENDINGS:
             path = place / f"garment.{format}"
-            write_garment_mesh(mesh_of_garment(garment), path)
+            # USD as text is one file, which has no room for the picture of a print.
+            shown = replace(garment, print=None) if format in _WITHOUT_PRINT else garment
+            write_garment_mesh(mesh_of_garment(shown), path)
             return Work(path.read_bytes())
         if format == "zip":
             return Work(_zip(garment, place))
@@ -127,8 +132,12 @@ def _body(garment: Garment) -> Body:
 
 def _described(garment: Garment, facts: dict[str, Any]) -> Garment:
     known = {name: facts[name] for name in ("title", "prompt", "seed") if facts.get(name) not in (None, "")}
-    garment = in_cloth(garment, facts.get("color"), facts.get("looks") or ())
-    said = {LOOKS: [look.to_json() for look in garment.looks]} if garment.looks else {}
+    garment = in_cloth(garment, facts.get("color"), facts.get("looks") or (), facts.get("print"))
+    said: dict[str, Any] = {LOOKS: [look.to_json() for look in garment.looks]} if garment.looks else {}
+    if garment.color is not None:
+        said[COLOR] = garment.color
+    if garment.print is not None:
+        said[PRINT] = garment.print.to_json()
     return replace(garment, report=garment.report | {"studio": known} | said)
 
 

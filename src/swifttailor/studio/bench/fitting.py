@@ -15,7 +15,7 @@ from swifttailor.errors import InputError, SwiftTailorError
 from swifttailor.pattern.drafted_for import DraftedFor
 from swifttailor.studio.bench.documents import Work, document, read_pattern, tailored_document, unsewable
 from swifttailor.studio.bench.own_bodies import own_bodies
-from swifttailor.studio.bench.part_looks import in_cloth
+from swifttailor.studio.bench.part_looks import in_cloth, print_read, print_shown
 from swifttailor.studio.bench.wearer_options import LABELS, measures_of_mesh, shown_measures
 from swifttailor.studio.bench.wearers import wearing
 from swifttailor.studio.worker.link import Link
@@ -32,6 +32,7 @@ def fit(
     body: str | None = None,
     color: str | None = None,
     looks: Sequence[dict[str, Any]] = (),
+    print: dict[str, Any] | None = None,
 ) -> Work:
     """A pattern refitted to a body and sewn on it.
 
@@ -46,6 +47,7 @@ def fit(
         body: Name of a mesh that was loaded, in place of size, figure and measures.
         color: Of the cloth.
         looks: Of its parts, as requests have them.
+        print: On the cloth, as requests have it.
 
     Raises:
         InputError: There is no such size or figure, no body has these measures, or the mesh is not kept.
@@ -68,11 +70,12 @@ def fit(
     fitted = replace(fitted, drafted_for=named).canonical()
     link.stage("sewing", 0.0)
     more: dict[str, Any] = {"title": original.name} | ({"color": color} if color else {})
+    more |= {} if print is None else {"print": print_shown(print_read(print))}
     try:
         made = worn.tailor.sew(fitted)
     except SwiftTailorError as error:
         return document(fitted, origin="fit", unsewable=unsewable(error), **more)
-    made = replace(made, garment=in_cloth(made.garment, color, looks))
+    made = replace(made, garment=in_cloth(made.garment, color, looks, print))
     for_whom = "the default body" if named is None else named.name
     more |= {"changes": [f"Refitted to {for_whom}."], "seed": None}
     return tailored_document(made, origin="fit", prompt="", **more)

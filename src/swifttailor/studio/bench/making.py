@@ -11,7 +11,7 @@ from swifttailor.body import Body
 from swifttailor.errors import SwiftTailorError
 from swifttailor.pattern.drafted_for import DraftedFor
 from swifttailor.studio.bench.documents import Work, read_pattern, tailored_document
-from swifttailor.studio.bench.part_looks import in_cloth, looks_read
+from swifttailor.studio.bench.part_looks import in_cloth, looks_read, print_read
 from swifttailor.studio.bench.tasks import tailor
 from swifttailor.studio.bench.wearers import wearing
 from swifttailor.studio.worker.link import Link
@@ -54,6 +54,7 @@ def edit(
     seed: int,
     finish: bool,
     looks: Sequence[dict[str, Any]] = (),
+    print: dict[str, Any] | None = None,
 ) -> Work:
     """A pattern changed as words say, and its garment."""
     original = read_pattern(pattern).pattern.canonical()
@@ -67,6 +68,7 @@ def edit(
         edit=original,
         color=color,
         looks=looks_read(looks),
+        print=print_read(print),
         seed=seed,
         finish=finish,
         body=body,
@@ -82,6 +84,7 @@ def sew(
     repair: bool,
     color: str | None,
     looks: Sequence[dict[str, Any]] = (),
+    print: dict[str, Any] | None = None,
 ) -> Work:
     """The garment of a pattern."""
     original = read_pattern(pattern).pattern.canonical()
@@ -89,7 +92,7 @@ def sew(
     made = wearing(original.drafted_for).tailor.sew(
         original, edge_length=edge_length, repair=repair, progress=link.stage
     )
-    made = replace(made, garment=in_cloth(made.garment, color, looks))
+    made = replace(made, garment=in_cloth(made.garment, color, looks, print))
     work = tailored_document(made, origin="sew", prompt="", edge_length=edge_length, seed=None)
     return Work({"documents": [work.answer], "failures": []}, work.meshes)
 

@@ -15,6 +15,7 @@ from swifttailor.garment.garment import Garment
 from swifttailor.panel_mesh import mesh_pattern
 from swifttailor.panel_mesh.pattern_mesh import PatternMesh
 from swifttailor.pattern import Pattern, read_specification, to_specification
+from swifttailor.studio.bench.panels_on_cloth import panels_on_cloth
 from swifttailor.studio.bench.trim_blocks import trim_blocks
 from swifttailor.studio.mesh_record import MeshRecord, name_of, pack_mesh, smooth_normals, unpack_mesh
 
@@ -48,9 +49,12 @@ def garment_record(garment: Garment, edge_length: float) -> MeshRecord:
         "seams": [sides for sides, _ in seams],
         "edges": [place for place, _ in edges],
         "color": garment.color,
+        "on_cloth": panels_on_cloth(mesh),
     }
     if garment.looks:
         header["looks"] = [look.to_json() for look in garment.looks]
+    if garment.print is not None:
+        header["print"] = garment.print.to_json()
     trims, of_trims = trim_blocks(replace(garment, vertices=vertices))
     if trims:
         header["trims"] = trims
@@ -69,7 +73,14 @@ def garment_record(garment: Garment, edge_length: float) -> MeshRecord:
     data = pack_mesh(header, blocks)
     pattern = json.dumps(to_specification(mesh.pattern), separators=(",", ":"), allow_nan=False)
     return MeshRecord(
-        name_of(data), data, pattern, edge_length, plain(garment.report), garment.color, garment.looks
+        name_of(data),
+        data,
+        pattern,
+        edge_length,
+        plain(garment.report),
+        garment.color,
+        garment.looks,
+        garment.print,
     )
 
 
@@ -97,7 +108,9 @@ def garment_of(record: MeshRecord) -> Garment:
         "stitches": len(pattern.stitches),
     }
     vertices = flat.reshape(-1, 3)[mesh.representative]
-    return Garment(mesh, vertices, report | record.report, record.color, looks=record.looks)
+    return Garment(
+        mesh, vertices, report | record.report, record.color, print=record.print, looks=record.looks
+    )
 
 
 def same_pattern(first: Pattern, second: Pattern) -> bool:

@@ -78,6 +78,7 @@ def drape(
     edge_length: float | None,
     color: str | None,
     looks: Sequence[dict[str, Any]] = (),
+    print: dict[str, Any] | None = None,
 ) -> Work:
     """A garment sewn together by physics from its flat panels."""
     original = _sewable(pattern)
@@ -87,7 +88,7 @@ def drape(
     body = wearing(original.drafted_for).body
     flat = mesh_pattern(original, edge_length)
     placed = Garment(flat, flat.welded_mean(_placed(original, flat)), {}, color)
-    watched.begin(in_cloth(placed, color, looks))
+    watched.begin(in_cloth(placed, color, looks, print))
 
     def run() -> Garment:
         return drape_pattern(
@@ -114,6 +115,7 @@ def finish(
     edge_length: float | None,
     color: str | None,
     looks: Sequence[dict[str, Any]] = (),
+    print: dict[str, Any] | None = None,
 ) -> Work:
     """A garment hung to rest from where the network has sewn it, or from where it hangs already."""
     original = _sewable(pattern)
@@ -127,7 +129,7 @@ def finish(
     edge_length = edge_length or USUAL_EDGE_CM
     if garment is None:
         garment = worn.tailor.sew(original, edge_length=edge_length).garment
-    garment = in_cloth(garment, color, looks)
+    garment = in_cloth(garment, color, looks, print)
     watched = _Watched(link, edge_length)
     watched.begin(garment)
 
@@ -153,9 +155,9 @@ def _hung(
 ) -> Work:
     """The document of what a simulation leaves, stopped or not."""
     assert watched.garment is not None
-    color, looks = watched.garment.color, watched.garment.looks
+    seen = watched.garment
     try:
-        garment, stopped = replace(run(), color=color, looks=looks), False
+        garment, stopped = replace(run(), color=seen.color, print=seen.print, looks=seen.looks), False
     except StoppedError:
         garment, stopped = watched.garment, True
     notes = ["Stopped before it came to rest."] if stopped else []

@@ -24,7 +24,7 @@ from swifttailor.studio.bench.documents import (
     unsewable,
 )
 from swifttailor.studio.bench.mesh_files import garment_record
-from swifttailor.studio.bench.part_looks import in_cloth
+from swifttailor.studio.bench.part_looks import in_cloth, print_read, print_shown
 from swifttailor.studio.bench.pattern_facts import body_probe, check, finding_infos, seam_infos
 from swifttailor.studio.bench.trim_blocks import trim_marks
 from swifttailor.studio.bench.wearers import wearing
@@ -135,6 +135,7 @@ def alter(
     sew: bool = True,
     color: str | None = None,
     looks: Sequence[dict[str, Any]] = (),
+    print: dict[str, Any] | None = None,
 ) -> Work:
     """A pattern recut to chips and sliders, and sewn."""
     original = read_pattern(pattern).pattern.canonical()
@@ -157,7 +158,14 @@ def alter(
     altered = replace(altered, drafted_for=original.drafted_for)
     link.stage("sewing", 0.0)
     work = _sewn_document(
-        altered, Reading(altered, ()), origin="alter", sew=sew, title=original.name, color=color, looks=looks
+        altered,
+        Reading(altered, ()),
+        origin="alter",
+        sew=sew,
+        title=original.name,
+        color=color,
+        looks=looks,
+        print=print,
     )
     facts = facts_of(altered)
 
@@ -188,8 +196,10 @@ def _sewn_document(
     title: str,
     color: str | None = None,
     looks: Sequence[dict[str, Any]] = (),
+    print: dict[str, Any] | None = None,
 ) -> Work:
     more: dict[str, Any] = {"title": title} | ({} if color is None else {"color": color})
+    more |= {} if print is None else {"print": print_shown(print_read(print))}
     if not sew:
         return document(pattern, origin=origin, reader_findings=reading.findings, **more)
     try:
@@ -198,7 +208,7 @@ def _sewn_document(
         return document(
             pattern, origin=origin, reader_findings=reading.findings, unsewable=unsewable(error), **more
         )
-    made = replace(made, garment=in_cloth(made.garment, color, looks))
+    made = replace(made, garment=in_cloth(made.garment, color, looks, print))
     mended = ["Mended, since it could not be sewn as it was."] if made.changes else []
     read = [f"{f.code}: {f.message}" for f in reading.findings]
     return tailored_document(made, origin=origin, prompt="", seed=None, notes=[*mended, *read], **more)

@@ -62,6 +62,7 @@ TASKS: dict[str, Task] = {
     "drape": _task("physics", "drape"),
     "picture": _task("pictures", "take_in"),
     "seen": _task("pictures", "seen"),
+    "tile": _task("print_tiles", "tile"),
     "export": _task("files", "export"),
     "save": _task("files", "save"),
 }

@@ -22,8 +22,8 @@ def trim_blocks(garment: Garment) -> tuple[list[dict[str, Any]], dict[str, Array
 
     Returns:
         For each part its name, look and numbers of vertices, triangles and lines. By block: (n, 3) positions,
-        cm; (n, 2) panel-local cm; (t, 3) and (k, 2) vertices, counted within their part. Nothing of a garment
-        without trims.
+        cm; (n, 2) panel-local cm; (n,) indices of panels; (t, 3) and (k, 2) vertices, counted within their
+        part. Nothing of a garment without trims.
     """
     parts = trim_parts(garment)
     if not parts:
@@ -41,9 +41,11 @@ def trim_blocks(garment: Garment) -> tuple[list[dict[str, Any]], dict[str, Array
         for part in parts
     ]
     flats = [np.zeros((len(part.vertices), 2)) if part.flat is None else part.flat for part in parts]
+    panels = [np.zeros(len(part.vertices), int) if part.panel is None else part.panel for part in parts]
     blocks = {
         "trim_positions": np.concatenate([part.vertices for part in parts]),
         "trim_uv": np.concatenate(flats),
+        "trim_panel": np.concatenate(panels),
         "trim_triangles": np.concatenate([part.faces for part in parts]),
         "trim_lines": np.concatenate([part.lines for part in parts]),
     }

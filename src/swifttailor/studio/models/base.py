@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from typing import Annotated, Any, Literal
 
-from pydantic import BaseModel, ConfigDict, Field, StringConstraints
+from pydantic import BaseModel, ConfigDict, Field, StringConstraints, model_validator
+
+from swifttailor.garment.cloth_print import PRINT, stated_print
 
 Severity = Literal["error", "warning", "info"]
 Part = Literal["upper", "lower", "whole"]
@@ -66,6 +68,28 @@ class PartLook(Model):
 
 
 PartLooks = Annotated[list[PartLook], Field(max_length=64)]
+
+PrintKind = Literal["stripes", "checks", "plaid", "dots", "motif"]
+"""Those of `garment.cloth_print`, as what follows."""
+PrintMotif = Literal["flowers", "leaves", "blotches", "spots", "shapes"]
+PrintSize = Literal["width", "gap", "spacing", "radius", "repeat", "angle"]
+PrintColors = Annotated[list[Color], Field(min_length=2, max_length=4)]
+
+
+class ClothPrint(Model):
+    """What is printed on the cloth: `garment.cloth_print`."""
+
+    kind: PrintKind
+    colors: PrintColors
+    motif: PrintMotif = "shapes"
+    sizes: dict[PrintSize, float] = Field(default_factory=dict)
+    """Cm, the angle in degrees."""
+
+    @model_validator(mode="after")
+    def _can_be_drawn(self) -> ClothPrint:
+        if stated_print({PRINT: self.model_dump()}) is None:
+            raise ValueError("sizes of a print are 0.05 to 200 cm, its angle -360 to 360 degrees")
+        return self
 
 
 class ErrorInfo(Model):

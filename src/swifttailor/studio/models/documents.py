@@ -7,6 +7,7 @@ from typing import Literal
 from pydantic import Field
 
 from swifttailor.studio.models.base import (
+    ClothPrint,
     ErrorInfo,
     FabricName,
     Model,
@@ -148,6 +149,8 @@ class PanelLook(Model):
     """None: as the garment."""
     opacity: float
     """Share of what lies beneath that it hides."""
+    printed: bool = True
+    """Whether the garment's print is on it."""
 
 
 class Looks(Model):
@@ -182,6 +185,7 @@ class Document(Model):
     garment: GarmentState
     color: str | None
     looks: Looks = Field(default_factory=Looks)
+    print: ClothPrint | None = None
     fabric: FabricName
     edge_length: float
     seed: int | None

@@ -8,6 +8,7 @@ from pydantic import Field, model_validator
 
 from swifttailor.studio.models.base import (
     BodyName,
+    ClothPrint,
     Color,
     EdgeLength,
     ErrorInfo,
@@ -69,6 +70,7 @@ class EditJob(Model):
     instruction: Annotated[Prompt, Field(min_length=1)]
     color: Color | None = None
     looks: PartLooks = Field(default_factory=list)
+    print: ClothPrint | None = None
     seed: Seed = 0
     finish: bool = False
 
@@ -82,6 +84,7 @@ class SewJob(Model):
     repair: bool = False
     color: Color | None = None
     looks: PartLooks = Field(default_factory=list)
+    print: ClothPrint | None = None
 
 
 class DrapeJob(Model):
@@ -95,6 +98,7 @@ class DrapeJob(Model):
     """Of the mesh, cm; to finish a garment, that of its mesh when None, else 2."""
     color: Color | None = None
     looks: PartLooks = Field(default_factory=list)
+    print: ClothPrint | None = None
 
 
 class AlterJob(Model):
@@ -105,6 +109,7 @@ class AlterJob(Model):
     changes: Annotated[list[ChangeRequest], Field(min_length=1, max_length=MOST_CHANGES)]
     color: Color | None = None
     looks: PartLooks = Field(default_factory=list)
+    print: ClothPrint | None = None
 
 
 JobRequest = Annotated[GenerateJob | EditJob | SewJob | DrapeJob | AlterJob, Field(discriminator="kind")]

@@ -7,6 +7,7 @@ from typing import Annotated, Any, Literal
 from pydantic import Field, StringConstraints
 
 from swifttailor.studio.models.base import (
+    ClothPrint,
     Color,
     FabricName,
     Figure,
@@ -56,6 +57,7 @@ class ProjectVersion(Model):
     mesh: MeshName | None = None
     color: Color | None = None
     looks: Looks = Field(default_factory=Looks)
+    print: ClothPrint | None = None
     seed: Seed | None = None
 
 

@@ -8,6 +8,7 @@ from pydantic import Field, StringConstraints, model_validator
 
 from swifttailor.studio.models.base import (
     BodyName,
+    ClothPrint,
     Color,
     ErrorInfo,
     Figure,
@@ -106,6 +107,7 @@ class AlterRequest(Model):
     sew: bool = True
     color: Color | None = None
     looks: PartLooks = Field(default_factory=list)
+    print: ClothPrint | None = None
 
 
 class LiveRequest(Model):
@@ -146,6 +148,7 @@ class FitRequest(Model):
     """A mesh that was loaded (`BodyAnswer`), in place of size, figure and measures."""
     color: Color | None = None
     looks: PartLooks = Field(default_factory=list)
+    print: ClothPrint | None = None
 
     @model_validator(mode="after")
     def _one_body(self) -> FitRequest:
@@ -210,5 +213,6 @@ class ExportRequest(Model):
     title: Title = ""
     color: Color | None = None
     looks: PartLooks = Field(default_factory=list)
+    print: ClothPrint | None = None
     prompt: Prompt = ""
     seed: Seed | None = None
