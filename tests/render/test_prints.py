@@ -9,6 +9,7 @@ from scenes import sheet
 from swifttailor.errors import InputError
 from swifttailor.render import Camera, Checks, Dots, Light, Lighting, Plain, Stripes, Surface, render_view
 from swifttailor.render.color import encode_srgb
+from swifttailor.render.prints import Motif, Plaid
 
 RED, BLUE = (0.8, 0.05, 0.05), (0.05, 0.05, 0.8)
 
@@ -145,3 +146,21 @@ def test_a_backdrop_of_ones_own():
     assert (seen[:4] == (255, 0, 0)).all() and (seen[4:] == 0).all()
     with pytest.raises(InputError, match=r"has the shape \(12, 9, 3\), got \(9, 12, 3\)"):
         render_view([], Camera(), (9, 12), background=np.zeros((9, 12, 3)))
+
+
+def test_bands_and_dots_are_coloured_without_the_bank_of_motifs(monkeypatch):
+    def made():
+        raise AssertionError("the bank takes seconds to make")
+
+    monkeypatch.setattr("swifttailor.render.motifs.bank", made)
+    black, white = (0.0, 0.0, 0.0), (1.0, 1.0, 1.0)
+    points = np.random.default_rng(4).uniform(-30.0, 30.0, (200, 2))
+    for one in (
+        Stripes(black, white, 2.0, 1.0),
+        Checks(black, white, 2.0),
+        Dots(black, white, 4.0, 1.0),
+        Plaid(black, white, white, 6.0),
+    ):
+        assert np.ptp(one.colors(points)) > 0.5
+    with pytest.raises(AssertionError, match="seconds"):
+        Motif((black, white), 0).colors(points)

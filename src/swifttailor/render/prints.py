@@ -15,6 +15,7 @@ from swifttailor.render.cloth_table import (
     COS,
     DOTS,
     GRAIN,
+    KIND,
     MOTIF,
     PLAID,
     PLAIN,
@@ -22,6 +23,7 @@ from swifttailor.render.cloth_table import (
     SIN,
     SIZES,
     STRIPES,
+    WEAVE,
     layers,
     new_table,
 )
@@ -30,6 +32,9 @@ LinearColor = tuple[float, float, float]
 """Linear-light RGB."""
 MOST_COLORS = 6
 """Of one print."""
+_WITHOUT_BANK = 0b1000011
+"""Layers of colour for which `motifs.bank` is not looked into: the print, its lines, and the grain."""
+_NO_BANK = np.zeros(1, np.int16)
 
 
 class KnownPrint(ABC):
@@ -55,7 +60,9 @@ class KnownPrint(ABC):
             points[:, 2:] = rest
         colors = np.zeros((len(at), 3), np.float32)
         table = self.table()
-        color_points(points, table, layers(table), bank(), colors)
+        # The bank takes seconds to make, and bands and dots have nothing of it.
+        needed = table[KIND] == MOTIF or table[WEAVE] > 0.0 or layers(table) & ~_WITHOUT_BANK
+        color_points(points, table, layers(table), bank() if needed else _NO_BANK, colors)
         return colors
 
 
