@@ -24,6 +24,7 @@ from swifttailor.pattern import to_specification
 from swifttailor.pattern.drafts import draft
 from swifttailor.render.picture_file import read_picture
 from swifttailor.studio.bench.documents import document
+from swifttailor.studio.bench.files import export
 from swifttailor.studio.bench.mesh_files import garment_of, garment_record
 from swifttailor.studio.bench.part_looks import in_cloth
 from swifttailor.studio.bench.quick import alter
@@ -96,6 +97,15 @@ def test_what_cannot_be_sewn_keeps_it():
     assert made["mesh"] is None and made["print"] == SENT
 
 
+@pytest.mark.parametrize("kind", ["usda", "usdz"])
+def test_usd_has_it_where_there_is_room_for_a_picture(shirt, kind):
+    pytest.importorskip("pxr")
+    record = garment_record(replace(shirt, print=None), 3.0)
+    pattern = to_specification(shirt.pattern)
+    written = export(_NoLink(), pattern=pattern, mesh=record, format=kind, facts={"print": SENT}).answer
+    assert (b"print.png" in written) == (kind == "usdz")
+
+
 class _NoLink:
     def stage(self, *_: Any) -> None:
         """Nobody looks."""
@@ -159,16 +169,16 @@ def test_work_keeps_it_and_files_have_it(client, dress):
     red = follow(client, _ask(client, "/api/jobs", job).json()["id"])[-1][1]["documents"][0]
     assert red["print"] is None, "a colour that is asked for takes its place"
 
-    export = {"pattern": made["pattern"], "mesh": made["mesh"], "print": SENT, "color": "#203050"}
-    glb = _ask(client, "/api/export", export | {"format": "glb"}).content
+    asked = {"pattern": made["pattern"], "mesh": made["mesh"], "print": SENT, "color": "#203050"}
+    glb = _ask(client, "/api/export", asked | {"format": "glb"}).content
     length = struct.unpack("<I", glb[12:16])[0]
     assert [one["name"] for one in json.loads(glb[20 : 20 + length])["images"]] == ["print"]
-    packed = _ask(client, "/api/export", export | {"format": "zip"}).content
+    packed = _ask(client, "/api/export", asked | {"format": "zip"}).content
     with zipfile.ZipFile(io.BytesIO(packed)) as files:
         assert json.loads(files.read("report.json"))["print"] == SENT
-    with_dots = _ask(client, "/api/export", export | {"format": "png"}).content
-    export |= {"mesh": None, "print": None, "format": "png"}
-    plain = _ask(client, "/api/export", export).content
+    with_dots = _ask(client, "/api/export", asked | {"format": "png"}).content
+    asked |= {"mesh": None, "print": None, "format": "png"}
+    plain = _ask(client, "/api/export", asked).content
     assert with_dots != plain
 
 
