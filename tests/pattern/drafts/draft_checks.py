@@ -55,6 +55,8 @@ def is_gathered(pattern: Pattern, stitch: Stitch) -> bool:
         return all(n.startswith("skirt_front") for n in names) or all(
             n.startswith("skirt_back") for n in names
         )
+    if any(names == {f"skirt_{part}", f"skirt_{part}_0"} for part in ("front", "back")):
+        return True  # a bubble skirt, drawn together by its hem band
     if any("torso" in n for n in names) and any("cuff" in n for n in names):
         return True  # sleeves that are cut in one, into their cuffs
     if pattern.name in GATHERED_AT_THE_WAIST and any(n.startswith("skirt") for n in names):

@@ -19,6 +19,8 @@ from swifttailor.pattern.pattern import Pattern
 
 _SHOULDER_LIFT_CM = 1.0
 """Room over the shoulder, cm."""
+_OPEN_AT_LEAST_CM = 2.0
+"""What stays open above the hem, however much of the front is to be closed."""
 
 
 @dataclass(frozen=True)
@@ -39,7 +41,12 @@ class CapeOptions:
     opening: declared.Opening = 8.0
     closed: Annotated[
         float,
-        Option("How much of the front is sewn together below the neck, as by a clasp.", "cm", 3.0, 60.0),
+        Option(
+            "How much of the front is sewn together below the neck, as by a clasp; never all of it.",
+            "cm",
+            3.0,
+            60.0,
+        ),
     ] = 6.0
     hood: Annotated[bool, Option("Sew a hood to the neckline.")] = False
     hood_height: declared.HoodHeight = 6.0
@@ -94,7 +101,8 @@ def _half(figure: Figure, options: CapeOptions, neckline: Neckline, *, front: bo
     draw_neckline(outline, neck, max(depth, 0.5), figure.slope, neckline.shape)
     x, y = outline.sides[-1].end
     if front:
-        outline.line("centre", x, y - options.closed).line("edge", *middle)
+        closed = min(options.closed, y - hem_y - _OPEN_AT_LEAST_CM)
+        outline.line("centre", x, y - closed).line("edge", *middle)
     else:
         outline.line("centre", *middle)
     return outline.closed()
