@@ -20,6 +20,7 @@ from swifttailor.garment.garment import Garment
 from swifttailor.garment_sewer.crumpling import CRUMPLED, smoothed_where_crumpled
 from swifttailor.garment_sewer.layers import layers_lifted, overlapping_vertices
 from swifttailor.garment_sewer.legs_apart import legs_apart
+from swifttailor.garment_sewer.pixels.body_distance import BodyDistance
 from swifttailor.garment_sewer.pleats_laid import pleats_laid
 from swifttailor.panel_mesh.pattern_mesh import PatternMesh
 from swifttailor.pattern.check import panel_regions
@@ -39,8 +40,10 @@ OVERLAPPING_FRAMES = 24
 """So long fronts fall that overlap."""
 PLEATED_FRAMES = 24
 """So long pleats fall after they were laid."""
-SMOOTHED_FRAMES = 16
-"""For so long what is not crumpled is smoothed down before: close backs lie in rolls above the seat else."""
+SMOOTHED_FRAMES = 8
+"""For so long close garments are smoothed down before: their backs lie in rolls above the seat else."""
+CLOSE_BEHIND_CM, _HALF_BACK_CM = 1.9, 16.0
+"""Close is what lies no farther from the back, in the median, between the armpits and the hips."""
 MORE_CROSSINGS = 0.01
 """So many more, per face, may an edge and a face cross than before: a fold that touches itself is better than
 cloth that is too short all over."""
@@ -91,7 +94,8 @@ def relaxed(
     apart = legs_apart(begun.mesh, start, hips=body.measurements.hips)
     if apart is not None:
         frames, smooth = max(frames, APART_FRAMES), apart
-    smoothed = SMOOTHED_FRAMES if pleated is None and smooth is None else 0
+    is_plain = pleated is None and smooth is None
+    smoothed = SMOOTHED_FRAMES if is_plain and lies_close_behind(begun.vertices, body) else 0
     try:
         fallen = relax(
             begun,
@@ -124,6 +128,18 @@ def _smoothed(garment: Garment, body: Body) -> Floats:
     on_arm = np.array([region == "arm" for region in panel_regions(mesh.pattern).values()])
     held[mesh.weld[on_arm[mesh.flat_panel]]] = True
     return smoothed_where_crumpled(mesh, garment.vertices, held)
+
+
+def lies_close_behind(vertices: Floats, body: Body) -> bool:
+    """Whether it is a top or a dress, say, that follows the back."""
+    levels = body.measurements
+    x, y, z = vertices.T
+    behind = (y < levels.armpit_level) & (y > levels.hips_level) & (z < 0) & (np.abs(x) < _HALF_BACK_CM)
+    if not behind.any() or y.max() < levels.armpit_level:
+        return False
+    points = vertices[behind]
+    distances, _ = BodyDistance.of(body).sample(points, np.zeros(len(points), dtype=bool))
+    return float(np.median(distances)) < CLOSE_BEHIND_CM
 
 
 def _slipped(before: Garment, after: Garment) -> float:

@@ -13,7 +13,6 @@ from dataclasses import replace
 
 from swifttailor.describing.claims import Claim
 from swifttailor.describing.differences import Change, Gain
-from swifttailor.garment.part_looks import OPACITIES
 from swifttailor.wishes.accounting import subjects_spoken_of, unaccounted
 from swifttailor.wishes.button_counts import buttons_stated
 from swifttailor.wishes.closed_behind import without_opposites
@@ -55,6 +54,7 @@ from swifttailor.wishes.weighed_together import (
     without_flare,
 )
 from swifttailor.wishes.whole_wish import described_as_a_whole
+from swifttailor.wishes.words_of_looks import has_sheer_sleeves, spans_of_looks
 from swifttailor.wishes.worn_for import worn_for
 from swifttailor.wording.claim_kinds import fits_kind
 from swifttailor.wording.lexicon import SURENESS, Implication, WordReading, exclude, glossed, read_words
@@ -171,7 +171,7 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
         isinstance(w.change, Gain) and w.change.claim.name in ("sleeves", "left_sleeve", "sleeve_cm")
         for w in found
     ):
-        length = "long" if _has_sheer_sleeves(words) else "short"
+        length = "long" if has_sheer_sleeves(words) else "short"
         found = (*found, Wish(Gain(Claim("sleeves", length)), SURENESS["usual"]))
     if words.language == ENGLISH:
         found = _without_guesses(with_both_arms(text, found), words)
@@ -188,20 +188,9 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
         never,
         [m.mention.end for m in measures],
         compared=hem is not None or bool(bounds),
-        told=[*sides.spans, *_spans_of_looks(words)],
+        told=[*sides.spans, *spans_of_looks(words)],
     )
     return Heard(text, sure, likely, never, (*unread, *silent), lacks_of(words, changes, measures), words)
-
-
-def _spans_of_looks(words: WordReading) -> list[tuple[int, int]]:
-    """Where nouns stand whose looks are said: whether the garment has them is seen when it is made."""
-    marks = [mark for look in words.looks for mark in look.noun_marks if look.said]
-    return [(mark.start, mark.end) for mark in marks if mark.role == "word"]
-
-
-def _has_sheer_sleeves(words: WordReading) -> bool:
-    """Whether sleeves are of a cloth that is seen through, which usually go down to the wrist."""
-    return any(look.part == "sleeves" and look.cloth in OPACITIES for look in words.looks)
 
 
 def _kind_named_alone(text: str, words: WordReading) -> list[Implication]:

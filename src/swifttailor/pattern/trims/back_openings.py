@@ -7,6 +7,7 @@ import itertools
 import numpy as np
 
 from swifttailor.pattern.trims.chalk import Chalk
+from swifttailor.pattern.trims.decorations import bow_at_waist
 from swifttailor.pattern.trims.front_view import FrontView
 from swifttailor.pattern.trims.shapes import Bow, Trim
 
@@ -88,16 +89,7 @@ def back_lacing(chalk: Chalk, name: str) -> list[Trim]:
 
 def back_bow(chalk: Chalk, name: str) -> list[Trim]:
     """In the middle of the waist behind, of a bodice, a dress without a waist seam or a skirt."""
-    for panel in ("left_btorso", "wb_back"):
-        view = chalk.views.get(panel)
-        column = None if view is None else view.column(0.3)
-        if view is None or column is None:
-            continue
-        y = (column[0] + column[1]) / 2 if panel == "wb_back" else max(chalk.waist, column[0]) + 1.0
-        if y < column[1] - 1.0 and view.holds([(0.3, y)]):
-            u, v = view.local([(0.3, y)])[0].tolist()
-            return [Bow(name, panel, (u, v), _BOW * chalk.size, _BOW_TAIL * chalk.size)]
-    return []
+    return bow_at_waist(chalk, name, ("left_btorso", "wb_back"), above=1.0, width=_BOW, tail=_BOW_TAIL)
 
 
 def _middle(chalk: Chalk) -> tuple[float, float] | None:

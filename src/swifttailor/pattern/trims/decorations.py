@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -101,15 +102,38 @@ def neck_bow(chalk: Chalk, name: str) -> list[Trim]:
 
 def waist_bow(chalk: Chalk, name: str) -> list[Trim]:
     """In the middle of the waist in front, on a waistband, a bodice or a dress without a waist seam."""
-    for panel in ("wb_front", "left_ftorso"):
+    return bow_at_waist(chalk, name, ("wb_front", "left_ftorso"), above=3.0)
+
+
+def bow_at_waist(
+    chalk: Chalk,
+    name: str,
+    panels: Sequence[str],
+    *,
+    above: float,
+    width: float = _BOW,
+    tail: float = _BOW_TAIL,
+) -> list[Trim]:
+    """A bow in the middle of the waist, on the first panel that has room for it.
+
+    Args:
+        chalk: Of the pattern.
+        name: Of the trim.
+        panels: Where it may be, waistbands (``wb_``) and others.
+        above: How much of a panel that is no waistband has to be left above it, cm.
+        width: Of the bow, cm.
+        tail: How long its ends are, cm.
+    """
+    for panel in panels:
         view = chalk.views.get(panel)
         column = None if view is None else view.column(0.3)
         if view is None or column is None:
             continue
-        y = (column[0] + column[1]) / 2 if panel == "wb_front" else max(chalk.waist, column[0]) + 1.0
-        if (y < column[1] - 3.0 or panel == "wb_front") and view.holds([(0.3, y)]):
+        on_band = panel.startswith("wb_")
+        y = (column[0] + column[1]) / 2 if on_band else max(chalk.waist, column[0]) + 1.0
+        if (on_band or y < column[1] - above) and view.holds([(0.3, y)]):
             u, v = view.local([(0.3, y)])[0].tolist()
-            return [Bow(name, panel, (u, v), _BOW * chalk.size, _BOW_TAIL * chalk.size)]
+            return [Bow(name, panel, (u, v), width * chalk.size, tail * chalk.size)]
     return []
 
 
