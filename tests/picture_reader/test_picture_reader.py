@@ -366,6 +366,20 @@ def test_plain_pictures_are_read_by_the_network_that_knows_them_as_well(border, 
     assert len(own.guesses) == (4 if is_plain else int(asked)), "whether it is plain, and as many"
 
 
+@pytest.mark.parametrize("known", [True, False])
+def test_what_nobody_wears_is_read_by_the_network_for_it(known):
+    said = np.tile([1.0, 0.0], (len(statement_labels()), 1))
+    others, own = Wearing(1.0), Wearing(3.0)
+    own.figures = "one" if known else "none"
+    picture = np.random.default_rng(0).integers(0, 256, (640, 640, 3), np.uint8)
+    read = PictureReader(others, 64, said, {}, laid=lambda: PictureReader(own, 64, said, {})).read(picture)
+    assert read.is_laid == known and read.to_json()["worn"] == (not known)
+    (part,) = read.parts
+    certain = next(s.certainty for s in part.statements if s.claim.value == "knee")
+    assert abs(certain - 1 / (1 + np.exp(-(3.0 if known else 1.0)))) < 1e-6
+    assert len(others.guesses) == (1 if known else 4)
+
+
 def test_each_of_two_garments_is_looked_at_nearer():
     looking = Looking(two=True)
     reader = PictureReader(looking, 64, np.tile([1.0, 0.0], (len(statement_labels()), 1)), {})

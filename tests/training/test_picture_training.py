@@ -359,6 +359,7 @@ def test_the_loss_is_least_where_the_reading_is_true():
     truth = Answers(
         present=torch.tensor([[1.0, 0.0], [1.0, 1.0]]),
         whole=torch.tensor([True, True]),
+        placed=torch.tensor([True, True]),
         statements=lots(2, 2, statements),
         clear=lots(2, 2, statements).bool(),
         has=lots(2, 2, dimensions),
@@ -405,6 +406,9 @@ def test_the_loss_is_least_where_the_reading_is_true():
     lost_on_bare = reading_losses(reading._replace(seams=-reading.seams), bare, LossWeights())
     assert float(lost_on_bare["kinds"]) == float(lost_on_bare["seams"]) == 0, "no garment, no panels"
     assert float(lost["figures"]) > 10 and float(lost["masks"]) == float(lost["view"]) == 0
+    astray = reading._replace(masks=-reading.masks, view=-reading.view)
+    lost = reading_losses(astray, truth._replace(placed=torch.tensor([False, False])), LossWeights())
+    assert float(lost["masks"]) == float(lost["view"]) == 0, "nobody knows where it is"
     unclear = reading._replace(statements=torch.where(truth.clear, reading.statements, -reading.statements))
     assert float(reading_losses(unclear, truth, LossWeights())["statements"]) < 1e-3, (
         "the border counts nothing"

@@ -7,6 +7,7 @@ import pytest
 
 from swifttailor.data.pictures.bank import PictureBank
 from swifttailor.data.pictures.blocks import Blocks, draw
+from swifttailor.data.pictures.laid import laid_flat
 from swifttailor.data.pictures.panel_cells import SEAM
 from swifttailor.data.pictures.scenes import (
     HELD_OUT_BACKDROPS,
@@ -83,7 +84,7 @@ def test_an_empty_bank_is_refused():
         PictureBank([])
 
 
-@pytest.mark.parametrize("family", ["plain", "seamless", "studio", "people", "held out"])
+@pytest.mark.parametrize("family", ["plain", "seamless", "studio", "people", "held out", "laid"])
 def test_pictures_are_fixed_by_their_lots_and_masks_lie_on_the_garment(wardrobe, family):
     for number, view in ((0, "front"), (4, "back"), (1, "free")):
         first, again = (
@@ -180,6 +181,29 @@ def test_looks_that_are_held_out_are_never_learnt_from(wardrobe, monkeypatch):
     assert scenery(np.random.default_rng(0), 16, True).shape == (16, 16, 3)
 
 
+def test_what_nobody_wears_lies_flat_with_its_sleeves_aside(bank):
+    worn = bank[0]
+    before = np.ptp(worn.vertices, axis=0)
+    for hangs in (False, True):
+        flat = laid_flat(worn, np.random.default_rng(4), hangs=hangs)
+        after = np.ptp(flat, axis=0)
+        assert after[2] < 0.35 * before[2], "all depth but a little is pressed out"
+        trunk = np.abs(worn.vertices[:, 0]) < 20
+        assert np.ptp(flat[trunk, 0]) > 1.02 * np.ptp(worn.vertices[trunk, 0]), "half a girth is wider"
+        # Left stays left, high stays high.
+        for axis in (0, 1):
+            assert np.corrcoef(flat[trunk, axis], worn.vertices[trunk, axis])[0, 1] > 0.97
+    sleeve = next((k for k in range(len(bank)) if np.abs(bank[k].vertices[:, 0]).max() > 45), None)
+    assert sleeve is not None
+    widths = {
+        hangs: np.mean(
+            [np.ptp(laid_flat(bank[sleeve], np.random.default_rng(n), hangs=hangs)[:, 0]) for n in range(6)]
+        )
+        for hangs in (False, True)
+    }
+    assert widths[True] < widths[False], "sleeves hang down"
+
+
 def test_blocks_are_fixed_by_their_number_and_show_every_garment(bank):
     blocks = Blocks(bank, seed=3, size=32, count=6, shares={"plain": 0.2, "studio": 0.3})
     first, second, again = blocks[0], blocks[1], blocks[0]
@@ -198,4 +222,6 @@ def test_pictures_that_nothing_can_be_read_from_say_so(bank):
     assert (nothing.figures == 0).all() and (people.figures == 1).all() and (group.figures == 2).all()
     assert (nothing.garments == -1).all() and (group.garments == -1).all()
     assert not nothing.masks.any() and people.masks.any()
+    worn = Blocks(bank, seed=3, size=32, count=6, shares={"worn": 1.0})[0]
+    assert (worn.figures == 0).all() and (worn.garments == -1).all(), "not for a reader of laid garments"
     assert len(np.unique(group.pixels)) > 50

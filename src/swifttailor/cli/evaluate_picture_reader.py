@@ -26,6 +26,9 @@ class EvaluatePictureReader:
     plain_reader_weights: Annotated[tuple[Path, ...], tyro.conf.arg(metavar="FILE...")] = ()
     """Model files of a network that reads plain pictures, and of those that look at their details, beside
     --weights; that one reads all pictures without them."""
+    laid_reader_weights: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
+    """Model file of a network that reads pictures of garments that nobody wears, beside --weights; that one
+    reads them, too, without it."""
     data: Annotated[Path, tyro.conf.arg(metavar="DIR")]
     """Data set of sewn garments (swifttailor data build --engine network)."""
     out: Annotated[Path, tyro.conf.arg(metavar="DIR")] = Path("picture-reader-evaluation")
@@ -80,6 +83,7 @@ class EvaluatePictureReader:
             self.weights,
             close_ups=self.close_up_weights or None,
             plain=self.plain_reader_weights or None,
+            laid=self.laid_reader_weights,
         )
         split = open_split(self.data, self.split)
         numbers = choose_samples(split, self.limit, self.seed)

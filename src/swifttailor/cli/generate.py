@@ -62,6 +62,9 @@ class Generate(Making):
     plain_reader_weights: Annotated[tuple[Path, ...], tyro.conf.arg(metavar="FILE...")] = ()
     """Model files (.onnx) of a network that reads pictures like GarmentCodeData's, and of those that look
     at their details, beside --picture-reader-weights. Default: that one reads all pictures."""
+    laid_reader_weights: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
+    """Model file (.onnx) of a network that reads pictures of garments that nobody wears, beside
+    --picture-reader-weights. Default: that one reads them, too."""
     pattern_library: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
     """Library (.zip) of known patterns. Default: the one in the package."""
 
@@ -101,7 +104,12 @@ class Generate(Making):
 
     def tailor(self, before: DraftedFor | None = None, **networks: Any) -> Tailor:
         """Who makes the garments, and reads the pictures."""
-        reader = chosen_reader(self.picture_reader_weights, self.close_up_weights, self.plain_reader_weights)
+        reader = chosen_reader(
+            self.picture_reader_weights,
+            self.close_up_weights,
+            self.plain_reader_weights,
+            self.laid_reader_weights,
+        )
         return super().tailor(before, picture_reader=reader, pattern_library=self.pattern_library, **networks)
 
     def several(self, tailor: Tailor, order: Order) -> dict[str, Order]:

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 def chosen_reader(
-    weights: Path | None, close_ups: Sequence[Path], plain: Sequence[Path]
+    weights: Path | None, close_ups: Sequence[Path], plain: Sequence[Path], laid: Path | None = None
 ) -> Path | PictureReader | None:
     """What a tailor is given to read pictures with.
 
@@ -21,23 +21,28 @@ def chosen_reader(
         weights: Model file; the ones of the package when None.
         close_ups: Model files of networks that look at details.
         plain: Model files of the network that reads plain pictures, and of those that look at their details.
+        laid: Model file of the network that reads garments that nobody wears.
 
     Raises:
-        InputError: `close_ups` or `plain` are given without `weights`, or a file cannot be used.
+        InputError: `close_ups`, `plain` or `laid` are given without `weights`, or a file cannot be used.
     """
-    if not close_ups and not plain:
+    given = {
+        "--close-up-weights": tuple(close_ups),
+        "--plain-reader-weights": tuple(plain),
+        "--laid-reader-weights": () if laid is None else (laid,),
+    }
+    if not any(given.values()):
         return weights
     if weights is None:
-        option, file = (
-            ("--close-up-weights", close_ups[0]) if close_ups else ("--plain-reader-weights", plain[0])
-        )
+        option, file = next((option, files[0]) for option, files in given.items() if files)
         raise InputError(
             f"{option} '{file}' goes with a picture reader of your own; give its model file as "
             "--picture-reader-weights."
         )
     from swifttailor.picture_reader.reader import PictureReader
 
-    reader = PictureReader.load(weights, close_ups=close_ups, plain=plain)
-    if reader.plain is not None:
-        reader.plain()  # a file that cannot be used is refused before any work
+    reader = PictureReader.load(weights, close_ups=close_ups, plain=plain, laid=laid)
+    for opened in (reader.plain, reader.laid):
+        if opened is not None:
+            opened()  # a file that cannot be used is refused before any work
     return reader

@@ -51,6 +51,8 @@ SHIPPED_PLAIN = tuple(
     Path(__file__).with_name(f"plain_{name}.onnx") for name in ("reader", "neck", "details")
 )
 """Reads all of a plain picture; necks; waists, armholes, ends of sleeves and skirts."""
+SHIPPED_LAID = Path(__file__).with_name("laid_reader.onnx")
+"""Reads pictures of garments that nobody wears."""
 FROM_NEAR = ("neck", "waist", "sleeve")
 """Of close-ups, see `CloseUp.part`: what a network that reads whole garments looks at; anything else it reads
 as well in a picture of all of the garment."""
@@ -106,6 +108,8 @@ class PictureReader:
     """Look at close-ups in its place, each at what it has learnt from; the last of several that have."""
     plain: Callable[[], PictureReader] | None = None
     """Gives the one that reads plain pictures together with it, and their details in its place."""
+    laid: Callable[[], PictureReader] | None = None
+    """Gives the one that reads garments that nobody wears, laid or hung, in its place."""
     parameters: tuple[ReadParameter, ...] = ()
     """Design parameters that it reads."""
     near_designs: bool = False
@@ -117,6 +121,7 @@ class PictureReader:
         *,
         close_ups: Sequence[Path | str] | None = None,
         plain: Sequence[Path | str] | None = None,
+        laid: Path | str | None = None,
         threads: int = 1,
     ) -> PictureReader:
         """Opens a model file.
@@ -129,6 +134,8 @@ class PictureReader:
             plain: Files of the network that reads plain pictures, and of those that look at their details;
                 where `weights` are given and these are not, plain pictures are read like others. They are
                 opened when the first picture comes that may be plain.
+            laid: File of the network that reads garments that nobody wears; where `weights` are given and
+                this is not, they are read like others. It is opened with the first picture that is not plain.
             threads: CPU cores for the network.
 
         Raises:
@@ -139,8 +146,11 @@ class PictureReader:
         names = {one.name for one in CLOSE_UPS if one.part in FROM_NEAR}
         own = tuple(name for name in reader.close_ups if name in names)
         reader = replace(reader, close_ups=own, near=near)
-        if weights is None and plain is None:
-            plain = SHIPPED_PLAIN
+        if weights is None:
+            plain = SHIPPED_PLAIN if plain is None else plain
+            laid = SHIPPED_LAID if laid is None else laid
+        if laid:
+            reader = replace(reader, laid=cache(lambda: PictureReader._opened(laid, threads)))
         if not plain:
             return reader
         whole, *details = plain
@@ -183,7 +193,8 @@ class PictureReader:
 
         It is looked at whole for where the wearer is, then near each garment, and at last near its details;
         in a picture like those of GarmentCodeData, from near by networks as well that have learnt from no
-        others. Where those say that it is none, what people seldom wear is believed less (`as_people_wear`).
+        others. Garments that nobody wears are read by a network that knows nothing else. Where all those say
+        that it is not for them, what people seldom wear is believed less (`as_people_wear`).
 
         Args:
             pixels: (h, w, 3) sRGB, row 0 at the top.
@@ -197,6 +208,8 @@ class PictureReader:
         whole = ((width - side) // 2, (height - side) // 2, side)
         first = self._look(pixels, whole, None)
         nearer = self._looking_nearer(pixels, whole)
+        if nearer is self and self.laid is not None and self.laid()._knows(pixels, whole):
+            return replace(self.laid().read(pixels), is_laid=True)
         seen: dict[int, tuple[Square, dict[str, Any]]] = {}
         waiting = [(k, whole, first) for k in _present(first)]
         while waiting:
@@ -221,7 +234,7 @@ class PictureReader:
         return self
 
     def _knows(self, pixels: Pixels, whole: Square) -> bool:
-        """Whether a picture shows one person, as far as this network knows what one looks like."""
+        """Whether a picture shows one person, or one garment, as far as this network knows what that is."""
         return int(self._look(pixels, whole, None)["figures"].argmax()) == FIGURES.index("one")
 
     def _nearer(

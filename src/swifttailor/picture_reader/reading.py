@@ -103,6 +103,8 @@ class PictureReading:
     figures_certainty: float = 1.0
     is_plain: bool = False
     """Whether it looks like those of GarmentCodeData, which networks read that know no others."""
+    is_laid: bool = False
+    """Whether nobody wears what it shows; a network reads it that knows no others."""
 
     @property
     def face(self) -> str:
@@ -116,6 +118,7 @@ class PictureReading:
             "figures": self.figures,
             "figures_certainty": round(self.figures_certainty, 3),
             "side": self.face,
+            "worn": not self.is_laid,
             "box": list(self.box),
             "parts": [
                 {

@@ -14,6 +14,8 @@ from torch.utils.data import DataLoader, Dataset
 from swifttailor.data.pictures.bank import PictureBank
 from swifttailor.data.pictures.blocks import Block, Blocks
 from swifttailor.data.pictures.panel_cells import SEAM
+from swifttailor.data.pictures.photograph_labels import KINDS
+from swifttailor.data.pictures.photographs import Photographs, kind_truths
 from swifttailor.parameter_reader.placed_designs import PlacedDesigns
 from swifttailor.picture_reader.close_designs import sees_designs
 from swifttailor.picture_reader.close_ups import WHOLE, sees
@@ -37,6 +39,8 @@ class Answers(NamedTuple):
     """(B, 2) 0 or 1."""
     whole: Tensor
     """(B,) whether it is no close-up: these tell of one garment, and not of all of it."""
+    placed: Tensor
+    """(B,) whether `view` and `masks` are known."""
     statements: Tensor
     """(B, 2, S) 0 or 1."""
     clear: Tensor
@@ -88,18 +92,25 @@ class TruthTable:
         bank: PictureBank,
         device: torch.device | None = None,
         designs: PlacedDesigns | None = None,
+        *,
+        photographs: bool = False,
     ) -> None:
-        found = {
-            name: torch.from_numpy(v).to(device or "cpu") for name, v in bank.truths(range(len(bank))).items()
-        }
+        known = bank.truths(range(len(bank)))
+        names = bank.ids
+        self.garments = len(bank)
+        if photographs:
+            known = {name: np.concatenate([v, kind_truths()[name]]) for name, v in known.items()}
+            names = [*names, *(f"photograph of {kind}" for kind in KINDS)]
+        found = {name: torch.from_numpy(v).to(device or "cpu") for name, v in known.items()}
         self.statements, self.measures = found["statements"], found["measures"].float()
         self.panels, self.boxes = found["panels"], found["boxes"]
-        self.designs = DesignTable(bank.ids, designs, device)
+        self.designs = DesignTable(names, designs, device)
 
     def answers(
         self,
         garments: Tensor,
         whole: Tensor,
+        placed: Tensor,
         told: OfEach,
         designs: Tensor,
         views: Tensor,
@@ -113,6 +124,7 @@ class TruthTable:
         Args:
             garments: Numbers in the bank.
             whole: (B,) whether it is no close-up.
+            placed: (B,) as `Answers` has it.
             told: What each picture tells of, see `sees`.
             designs: (B, D) which design parameters it tells, see `sees_designs`.
             views: The others are as `Answers` has them.
@@ -126,9 +138,13 @@ class TruthTable:
         k = garments.clamp_min(0)
         judged, measures, panels = self.statements[k], self.measures[k], self.panels[k]
         told = OfEach(*(table[:, None] & present[..., None] for table in told))
+        # Of photographs neither measures nor panels are known.
+        drawn = (garments < self.garments)[..., None]
+        told = told._replace(measures=told.measures & drawn, panels=told.panels & drawn)
         return Answers(
             present.float(),
             whole,
+            placed,
             (judged == TRUE).float(),
             (judged != UNCLEAR) & told.statements,
             (measures.isfinite() & present[..., None]).float(),
@@ -159,6 +175,7 @@ class PictureBatches:
         part: tuple[int, int] = (0, 1),
         device: torch.device | None = None,
         designs: PlacedDesigns | None = None,
+        photographs: Photographs | None = None,
     ) -> None:
         """Prepares to draw.
 
@@ -170,6 +187,7 @@ class PictureBatches:
                 blocks of its own, and has its share of a batch.
             device: Where batches are made, and pictures kept; the processor when None.
             designs: Of the garments, as far as they are known.
+            photographs: To take the share of photographs from.
         """
         self.config, self.workers = config, workers
         self._device = device or torch.device("cpu")
@@ -185,8 +203,9 @@ class PictureBatches:
             close=config.close,
             near=config.near,
             parts=config.parts,
+            photographs=photographs,
         )
-        self.truths = TruthTable(bank, self._device, designs)
+        self.truths = TruthTable(bank, self._device, designs, photographs=photographs is not None)
         self._each = config.block * config.echo // self._size
         self._next, self._loaded = -1, iter(())
         self._block: Block | None = None
@@ -216,6 +235,7 @@ class PictureBatches:
         answers = self.truths.answers(
             garments,
             close_up == WHOLE,
+            shown["placed"].to(device),
             OfEach(*(torch.from_numpy(table).to(device) for table in sees(near, cosine))),
             torch.from_numpy(designs).to(device),
             views,

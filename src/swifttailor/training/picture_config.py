@@ -94,6 +94,13 @@ class PictureConfig(LoopConfig):
     unlike: float = 0.0
     """Share of pictures that are not plain and of which is learnt that they show nobody: for a reader that is
     asked of plain ones alone, and says which are."""
+    laid: float = 0.0
+    """Share of pictures of garments that nobody wears, laid or hung."""
+    photograph: float = 0.0
+    """Share of photographs of clothes of which only the kind is known (--photographs)."""
+    worn: float = 0.0
+    """Share of pictures of people and of bodies of which is learnt that they show nothing: for a reader that
+    is asked of laid garments alone, and says which are."""
     close: float = 0.3
     """Share of close-ups among the pictures of one person."""
     parts: tuple[str, ...] = ALL_PARTS
@@ -147,12 +154,20 @@ class PictureConfig(LoopConfig):
             "nothing": self.nothing,
             "several": self.several,
             "unlike": self.unlike,
+            "laid": self.laid,
+            "photograph": self.photograph,
+            "worn": self.worn,
         }
+
+    @property
+    def only_laid(self) -> bool:
+        """Whether all that it learns to read nobody wears."""
+        return self.laid > 0 and not self.plain + self.studio and sum(self.shares.values()) > 1 - _ROUNDED
 
     @property
     def only_plain(self) -> bool:
         """Whether all that it learns to read is plain."""
-        return not self.studio and sum(self.shares.values()) > 1 - _ROUNDED
+        return not self.studio + self.laid and sum(self.shares.values()) > 1 - _ROUNDED
 
 
 CONFIGS: dict[str, PictureConfig] = {"small": PictureConfig()}

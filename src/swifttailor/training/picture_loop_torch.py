@@ -11,6 +11,7 @@ import torch
 from torch import Tensor, nn
 
 from swifttailor.data.pictures.bank import PictureBank
+from swifttailor.data.pictures.photographs import Photographs
 from swifttailor.errors import InputError
 from swifttailor.networks.settled_norms_torch import settle_norms
 from swifttailor.parameter_reader.placed_designs import PlacedDesigns
@@ -20,6 +21,7 @@ from swifttailor.picture_reader.network_torch import Reading
 from swifttailor.picture_reader.seen_design import IN_CARD, NEAR_IN_CARD
 from swifttailor.training.loop_torch import Loop, RunOptions, Task
 from swifttailor.training.master_weights_torch import MasterWeights
+from swifttailor.training.photograph_validation_torch import judge_photographs
 from swifttailor.training.picture_batch_torch import PictureBatches
 from swifttailor.training.picture_config import PictureConfig
 from swifttailor.training.picture_losses_torch import reading_losses
@@ -39,6 +41,7 @@ def train(
     validation: Sequence[Path],
     apart: Sequence[Path] = (),
     designs: Path | None = None,
+    photographs: Sequence[Path] = (),
     workers: int = 1,
     **options: Unpack[RunOptions],
 ) -> dict[str, Any]:
@@ -51,6 +54,7 @@ def train(
         validation: Folders of splits to validate with.
         apart: Folders of splits whose patterns must not be learnt from, nor those of `validation`.
         designs: File of `PlacedDesigns`: the network learns to say design parameters, too.
+        photographs: Folders of `Photographs`, to learn and to validate with.
         workers: Processes that draw; 0 draws between the steps.
         options: How it is run.
 
@@ -78,7 +82,22 @@ def train(
         bank.keep(config.training_garments)
     if processes.count > 1 and config.batch_size % processes.count:
         raise InputError(f"batch_size is {config.batch_size}; a multiple of the processes is accepted.")
-    task = PictureTask(config, bank, held, processes, designs=placed, workers=workers, resumed=loop.resume)
+    if bool(photographs) != (config.photograph > 0):
+        raise InputError(
+            f"The share of photographs is {config.photograph:g} and "
+            f"{'a folder of them was' if photographs else 'no folder of them was'} given. "
+            "Give both --photographs DIR and --set photograph=SHARE, or neither."
+        )
+    task = PictureTask(
+        config,
+        bank,
+        held,
+        processes,
+        designs=placed,
+        photographs=photographs,
+        workers=workers,
+        resumed=loop.resume,
+    )
     report(
         f"{sum(p.numel() for p in task.network.parameters()) / 1e6:.2f} M parameters; {len(bank)} garments "
         f"to draw, {len(task.held)} pictures to validate; {processes.device}, {processes.count} process(es)."
@@ -99,6 +118,7 @@ class PictureTask(Task):
         processes: Processes,
         *,
         designs: PlacedDesigns | None = None,
+        photographs: Sequence[Path] = (),
         workers: int,
         resumed: bool = False,
     ) -> None:
@@ -110,6 +130,7 @@ class PictureTask(Task):
             validation: To judge by.
             processes: That train.
             designs: Of the garments, as far as they are known.
+            photographs: Folders of `Photographs`, if any.
             workers: Processes that draw.
             resumed: Whether the weights will be those of a checkpoint.
         """
@@ -118,8 +139,16 @@ class PictureTask(Task):
         self.network = build_network(asdict(config.network)).to(processes.device)
         self.network = self.network.to(memory_format=torch.channels_last)
         part = processes.rank, processes.count
+        taken = Photographs(photographs, "train") if photographs else None
+        self.held_photographs = Photographs(photographs, "validation") if photographs else None
         self.batches = PictureBatches(
-            bank, config, workers=workers, part=part, device=self.device, designs=designs
+            bank,
+            config,
+            workers=workers,
+            part=part,
+            device=self.device,
+            designs=designs,
+            photographs=taken,
         )
         self.designs = designs
         if config.start:
@@ -136,6 +165,8 @@ class PictureTask(Task):
             "train": {"garments": len(bank), "sha256": bank.checksum()} | _known(bank, designs),
             "validation": {"garments": self.held.garments, "sha256": validation.checksum()},
         }
+        if taken is not None:
+            self.data["photographs"] = {"train": len(taken), "sha256": taken.checksum()}
 
     def losses(self, trained: nn.Module, step: int) -> dict[str, Tensor]:
         """Of everything that is to be read of a batch, a picture."""
@@ -152,7 +183,11 @@ class PictureTask(Task):
 
     def validate(self) -> dict[str, Any]:
         """How well the pictures to validate with are read."""
-        return judge(self.network, self.held, self.device)
+        found = judge(self.network, self.held, self.device)
+        if self.held_photographs is not None:
+            size = self.config.network.image_size
+            found["photographs"] = judge_photographs(self.network, self.held_photographs, size, self.device)
+        return found
 
     def result_text(self, result: dict[str, Any]) -> str:
         """In one line."""
@@ -160,10 +195,13 @@ class PictureTask(Task):
         some = ", ".join(f"{name} {_percent(result['claims'].get(name), 0)}" for name in shown)
         looks = ", ".join(f"{name} {_percent(value, 0)}" for name, value in result["by_look"].items())
         near = ", ".join(f"{name} {_percent(value, 0)}" for name, value in result["near"].items())
+        photographs = "".join(
+            f", {name} {_percent(value)}" for name, value in result.get("photographs", {}).items()
+        )
         return (
             f"validation: not false {_percent(result['not_false'])} of all claims ({some}; {looks}); from "
             f"near {_percent(result['near_not_false'])} ({near}); panels all right {result['panels']:.1%}; "
-            f"mask {result['mask']:.1%}"
+            f"mask {result['mask']:.1%}{photographs and '; photographs' + photographs[1:]}"
         )
 
     def card(self) -> dict[str, Any]:

@@ -29,7 +29,8 @@ def reading_losses(reading: Reading, truth: Answers, weights: LossWeights) -> di
     Statements count where they are clear, everything but `present` where a garment is; boxes of panels that
     are there. ``widths`` is the likelihood of a Laplace distribution around each measure; the measures
     themselves have a loss of their own, for where widths are small the likelihood has gradients beside which
-    all others vanish. Of a group nothing counts but that it is one.
+    all others vanish. Of a group nothing counts but that it is one, and of a picture in which the garment's
+    place is unknown neither masks nor the view do.
     """
     reading = Reading(*(value.float() for value in reading if value is not None))
     count = len(truth.present)
@@ -51,9 +52,9 @@ def reading_losses(reading: Reading, truth: Answers, weights: LossWeights) -> di
     apart = F.smooth_l1_loss(reading.boxes, truth.boxes, reduction="none", beta=0.1).sum(-1)
     losses["boxes"] = (apart * truth.panels * truth.named * each.panels).sum()
     turned = F.smooth_l1_loss(reading.view, truth.view, reduction="none", beta=0.1)
-    losses["view"] = (turned * one[:, None]).sum()
+    losses["view"] = (turned * (one & truth.placed)[:, None]).sum()
     mask = F.binary_cross_entropy_with_logits(reading.masks, truth.masks, reduction="none")
-    losses["masks"] = 10 * (mask.mean(dim=(1, 2, 3)) * ~several).sum()
+    losses["masks"] = 10 * (mask.mean(dim=(1, 2, 3)) * (~several & truth.placed)).sum()
     known = truth.places.isfinite()
     off = F.smooth_l1_loss(reading.places, truth.places.nan_to_num(0.0), reduction="none", beta=0.05)
     cells = known[:, 0].sum(dim=(1, 2)).clamp_min(1)

@@ -33,6 +33,8 @@ SHOWN: Looks = (
 """The pictures of each garment: how it looks, and from where."""
 CLOSE: Looks = (("plain", "front"), ("people", "front")) * 2
 """The close-ups of each garment, each of something by lot."""
+LAID: Looks = (("laid", "front"), ("laid", "back"))
+"""Both for a network that learns to read garments that nobody wears."""
 PLAIN: Looks = (("plain", "front"), ("plain", "back"))
 """Both for a network that learns to read plain pictures alone."""
 _BATCH = 64
@@ -46,9 +48,12 @@ class ValidationPictures:
         self.garments = min(config.validation_garments, len(bank))
         self.only_near = config.close == 1
         self.looks, near = (PLAIN, 2 * PLAIN) if config.only_plain else (SHOWN, CLOSE)
+        if config.only_laid:
+            self.looks, near = LAID, ()
         table, wardrobe = TruthTable(bank), Wardrobe(bank)
         self.whole = _drawn(wardrobe, table, self.garments, self.looks, config, close=False)
-        self.near = _drawn(wardrobe, table, self.garments, near, config, close=True)
+        self.near = _drawn(wardrobe, table, self.garments, near, config, close=True) if near else None
+        """None of a network that never looks from near."""
 
     def __len__(self) -> int:
         return len(self.whole.pictures)
@@ -147,8 +152,10 @@ def judge(network: EyesNetwork, held: ValidationPictures, device: torch.device) 
     for asked, good in found.values():
         for n in range(len(looks)):
             of_look[n].append(good[asked % len(looks) == n])
-    near = read_all(network, held.near, device, seen=True).statements.numpy()
-    found_near = claims_read(near[np.arange(len(near)), held.near.parts], held.near.judged)
+    found_near = {}
+    if held.near is not None:
+        near = read_all(network, held.near, device, seen=True).statements.numpy()
+        found_near = claims_read(near[np.arange(len(near)), held.near.parts], held.near.judged)
     panels = (reading.panels.numpy()[rows, shown.parts] > 0) == (shown.panels > 0)
     mask, true = reading.masks.numpy()[rows, shown.parts] > 0, shown.masks > 127
     inside = (mask & true).sum(axis=(1, 2)) / np.maximum((mask | true).sum(axis=(1, 2)), 1)
@@ -177,7 +184,7 @@ def calibrate(network: EyesNetwork, held: ValidationPictures, device: torch.devi
     Fitted on every second garment; the error afterwards is that of the others. Looks that are held out have
     no part in either. Of a network that has learnt from close-ups alone, close-ups decide.
     """
-    shown = held.near if held.only_near else held.whole
+    shown = held.near if held.only_near and held.near is not None else held.whole
     count = len(shown.pictures)
     reading = read_all(network, shown, device, seen=held.only_near)
     logits = reading.statements.numpy()[np.arange(count), shown.parts].astype(np.float64)

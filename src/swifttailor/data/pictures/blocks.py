@@ -13,8 +13,10 @@ from numpy.typing import NDArray
 from swifttailor.body import Body
 from swifttailor.data.pictures.bank import PictureBank
 from swifttailor.data.pictures.closer import close_up_by_lot, coarsened, has_any
+from swifttailor.data.pictures.laid import draw_laid
 from swifttailor.data.pictures.odd_scenes import draw_group, draw_nothing, unread
 from swifttailor.data.pictures.panel_cells import panel_cells
+from swifttailor.data.pictures.photographs import Photographs
 from swifttailor.data.pictures.scenes import VIEWS, Chance, Scene, View, Wardrobe, draw_scene
 from swifttailor.data.pictures.worn_places import worn_places
 from swifttailor.looks.draw import draw_seen, look_camera
@@ -26,12 +28,29 @@ from swifttailor.picture_reader.labels import MASK_STRIDE, PARTS
 from swifttailor.picture_reader.view import view_of
 from swifttailor.render import Plain
 
-Family = Literal["plain", "seamless", "studio", "people", "held out", "nothing", "several", "unlike"]
+Family = Literal[
+    "plain",
+    "seamless",
+    "studio",
+    "people",
+    "held out",
+    "laid",
+    "photograph",
+    "nothing",
+    "several",
+    "unlike",
+    "worn",
+]
 """How a picture looks: like those of GarmentCodeData; the same in one colour and without seams, of which
-nothing is learnt; a garment in a studio; people; people in looks that training never draws; no garment at
-all; several people; and any of seamless, studio and people of which a reader of plain pictures is to learn
-that it is not for it."""
+nothing is learnt; a garment in a studio; people; people in looks that training never draws; a garment that
+nobody wears; a photograph of one; no garment at all; several people; any of seamless, studio and people of
+which a reader of plain pictures is to learn that it is not for it; and people, or a garment on a body as
+GarmentCodeData shows it, of which a reader of laid garments is to learn the same."""
 _UNLIKE: tuple[Family, ...] = "seamless", "studio", "people"
+_WORN: tuple[Family, ...] = "people", "people", "people", "people", "plain", "seamless"
+_ON_PHOTOGRAPHS, _PEOPLE_ON_PHOTOGRAPHS = 0.3, 0.6
+"""Shares of laid garments and of people that are drawn before a part of a photograph, where there are any:
+that something in a picture is no drawing does not tell that nobody wears a garment."""
 _VIEW_SHARES = 0.4, 0.3, 0.3
 _ONE_TONE = 3
 """Of the colours of plain panels the one that seamless pictures have: not white on white."""
@@ -59,9 +78,12 @@ class Block:
     views: NDArray[np.float32]
     """(n, 6)."""
     garments: NDArray[np.int64]
-    """(n, 2) number of the garment of each part in the bank; -1 for none, and of groups."""
+    """(n, 2) number of the garment of each part in the bank, of a kind of `photograph_labels` behind its last
+    one; -1 for none, and of groups."""
     close_up: NDArray[np.int64]
     """(n,) number of `CLOSE_UPS`, or `WHOLE`."""
+    placed: NDArray[np.bool_]
+    """(n,) whether it is known where in the picture the garment is."""
 
 
 class Blocks:
@@ -78,6 +100,7 @@ class Blocks:
         close: float = 0.0,
         near: float = 0.65,
         parts: Sequence[str] = ALL_PARTS,
+        photographs: Photographs | None = None,
     ) -> None:
         """Prepares to draw.
 
@@ -91,7 +114,9 @@ class Blocks:
             near: Share of other plain pictures that the garment fills, as the second look at one does.
             parts: Of close-ups, see `CloseUp.part`. Where these are not all, garments without them are passed
                 over.
+            photographs: What the share of photographs is taken from.
         """
+        self.photographs = photographs
         self.wardrobe, self.seed, self.size, self.count = Wardrobe(bank), seed, size, count
         self.shares, self.close, self.near = dict(shares), close, near
         self.parts = tuple(parts)
@@ -105,14 +130,33 @@ class Blocks:
         epoch, k = divmod(place, len(self.wardrobe.bank))
         order = _order(self.seed, epoch, len(self.wardrobe.bank))
         family, view = self._family(chance), VIEWS[int(chance.choice(3, p=_VIEW_SHARES))]
-        close = chance.random() < self.close
         garment = int(order[k])
+        if self.photographs is not None and family in ("photograph", "laid", "worn"):
+            scene = self._photographed(self.photographs, garment, family, view, chance)
+            if scene is not None:
+                return scene
+        close = chance.random() < self.close
         if close and set(self.parts) < set(ALL_PARTS):
             others = (int(order[(k + n * _STRIDE) % len(order)]) for n in range(_TRIES))
             garment = next((g for g in others if has_any(self.wardrobe.bank[g], self.parts)), garment)
         near = family == "plain" and not close and chance.random() < self.near
         return draw(
             self.wardrobe, garment, family, view, chance, self.size, near=near, close=close, parts=self.parts
+        )
+
+    def _photographed(
+        self, photographs: Photographs, garment: int, family: Family, view: View, chance: Chance
+    ) -> Scene | None:
+        """A photograph, or a drawing before a part of one; None for a drawing with nothing of any."""
+        if family == "photograph":
+            return photographs.shown(chance, self.size, len(self.wardrobe.bank))
+        if chance.random() > (_ON_PHOTOGRAPHS if family == "laid" else _PEOPLE_ON_PHOTOGRAPHS):
+            return None
+        ground = photographs.ground(chance, self.size)
+        if family == "laid":
+            return draw_laid(self.wardrobe, garment, view, chance, self.size, ground=ground)
+        return unread(
+            draw_scene(self.wardrobe, garment, view, chance, self.size, behind=ground).pixels, "none"
         )
 
     def _family(self, chance: Chance) -> Family:
@@ -153,8 +197,11 @@ def draw(
         return draw_nothing(chance, size)
     if family == "several":
         return draw_group(wardrobe, number, chance, size)
-    if family == "unlike":
-        other = _UNLIKE[int(chance.integers(len(_UNLIKE)))]
+    if family == "laid":
+        return draw_laid(wardrobe, number, view, chance, size)
+    if family in ("unlike", "worn"):
+        others = _UNLIKE if family == "unlike" else _WORN
+        other = others[int(chance.integers(len(others)))]
         return unread(draw(wardrobe, number, other, view, chance, size).pixels, "none")
     if family in ("people", "held out"):
         held_out = family == "held out"
@@ -199,7 +246,7 @@ def _nearer(chance: Chance, side: str) -> LookView:
     return LookView(camera.azimuth, camera.elevation, opened, False, margin, (right, up))
 
 
-_COLUMNS = ("pixels", "masks", "places", "cells", "views", "garments", "figures", "close_up")
+_COLUMNS = ("pixels", "masks", "places", "cells", "views", "garments", "figures", "close_up", "placed")
 
 
 @lru_cache(maxsize=2)

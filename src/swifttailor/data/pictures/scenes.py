@@ -75,6 +75,8 @@ class Scene(NamedTuple):
     """Number of `FIGURES`."""
     close_up: int = WHOLE
     """Number of `CLOSE_UPS`, or `WHOLE`; a close-up tells of one garment alone."""
+    placed: bool = True
+    """Whether it is known where in the picture the garment is; where not, `views` are likely ones."""
 
 
 class Wardrobe:
@@ -153,7 +155,9 @@ def draw_scene(
         is_lower = garment.truth.part == PARTS.index("lower")
         outside = len(worn) == 1 or is_lower == tucked
         surfaces.append(
-            _cloth(garment, vertices, chance, skin, 1.6 if outside else 0.35, held_out and k == 0)
+            cloth_surface(
+                garment, vertices, chance, skin, 1.6 if outside else 0.35, held_out=held_out and k == 0
+            )
         )
         at_rest.append((garment.vertices, garment.faces))
     shown = carried[1 + len(accessories)]
@@ -247,9 +251,19 @@ def _surface(vertices: Floats, thing: _Thing) -> Surface:
     return Surface(vertices, thing.faces, color, back, gloss=0.04, trusted=True)
 
 
-def _cloth(
-    garment: WornGarment, vertices: Floats, chance: Chance, skin: Floats, lift: float, held_out: bool
+def cloth_surface(
+    garment: WornGarment, vertices: Floats, chance: Chance, skin: Floats, lift: float, *, held_out: bool
 ) -> Surface:
+    """A garment in a cloth drawn by lot.
+
+    Args:
+        garment: Which.
+        vertices: (v, 3) where it is in the picture, cm.
+        chance: Decides on cloth and seams.
+        skin: (3,) linear light that is seen through holes of the cloth.
+        lift: By how much it is drawn nearer than it is, cm, so that what lies on it stays below.
+        held_out: Whether the cloth is of the family that is kept for judging.
+    """
     drawn = _random_cloth(garment, chance, skin, held_out)
     lines: tuple[LineSet, ...] = ()
     if chance.random() < _SEAMS:

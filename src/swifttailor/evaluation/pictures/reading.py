@@ -31,6 +31,8 @@ SHOWN: tuple[tuple[Family, View], ...] = (
     ("held out", "front"),
     ("held out", "back"),
     ("held out", "free"),
+    ("laid", "front"),
+    ("laid", "back"),
 )
 """The pictures of each garment: how it looks, and from where."""
 
