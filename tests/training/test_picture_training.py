@@ -408,7 +408,11 @@ def test_the_loss_is_least_where_the_reading_is_true():
     assert float(lost["figures"]) > 10 and float(lost["masks"]) == float(lost["view"]) == 0
     astray = reading._replace(masks=-reading.masks, view=-reading.view)
     lost = reading_losses(astray, truth._replace(placed=torch.tensor([False, False])), LossWeights())
-    assert float(lost["masks"]) == float(lost["view"]) == 0, "nobody knows where it is"
+    assert float(lost["masks"]) == 0 < float(lost["view"]), "nobody knows where it is"
+    sides = torch.tensor([[1.0, 1, 0, 0, 0, 0]])
+    astray = reading._replace(view=reading.view + 9 * (1 - sides))
+    lost = reading_losses(astray, truth._replace(placed=torch.tensor([False, False])), LossWeights())
+    assert float(lost["view"]) == 0, "but clothes show their fronts"
     unclear = reading._replace(statements=torch.where(truth.clear, reading.statements, -reading.statements))
     assert float(reading_losses(unclear, truth, LossWeights())["statements"]) < 1e-3, (
         "the border counts nothing"

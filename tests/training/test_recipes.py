@@ -16,7 +16,7 @@ ROOT = Path(__file__).parents[2]
 RECIPES = (
     *("wish_reader", "garment_sewer", "pattern_maker", "picture_reader", "pattern_library"),
     *("close_up_reader", "plain_reader", "picture_reader_on_gpu", "parameter_reader"),
-    "latent_diffusion",
+    *("laid_reader", "latent_diffusion"),
 )
 
 
@@ -91,6 +91,8 @@ def test_every_recipe_goes_from_nothing_to_a_model_file(tmp_path):
         {"neck"},
         {"waist", "sleeve", "skirt", "armhole"},
     ]
+    laid = PictureReader.load(files["PictureReader"], laid=work / "laid-reader/laid_reader.onnx").laid()
+    assert laid.card["config"]["laid"] > 0 and laid.close_ups == ()
 
     again = run("wish_reader", work)
     assert again.returncode == 0

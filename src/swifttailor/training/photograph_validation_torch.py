@@ -6,13 +6,12 @@ import numpy as np
 import torch
 
 from swifttailor.data.pictures.photographs import Photograph, Photographs
+from swifttailor.evaluation.pictures.photographs import NOTHING, ONE, PhotographScores
 from swifttailor.picture_reader.cut_square import cut_square
 from swifttailor.picture_reader.figures import FIGURES
 from swifttailor.picture_reader.labels import GUESS, PARTS, statement_labels
 from swifttailor.picture_reader.network_torch import EyesNetwork, Reading
 
-SHOWN = ("kind", "sleeves", "hood", "collar", "leg_hem")
-"""Claims that are told."""
 _BATCH = 64
 
 
@@ -23,12 +22,10 @@ def judge_photographs(
     """How well a network reads photographs at one look.
 
     Returns:
-        ``parts``: share in which exactly the part of the body is said that the garment covers; of each of
-        `SHOWN` the share whose likeliest word may be true of the kind, of those of which it is known;
-        ``nothing``: share of those without clothes that are said to show none; ``one``: share of the others
-        that are said to show one. A share of nothing is left out.
+        The shares of `PhotographScores`; ``nothing``: share of those that show nothing to read that are said
+        to show nobody; ``one``: share of the others that are said to show one.
     """
-    found: dict[str, list[bool]] = {name: [] for name in ("parts", *SHOWN, "nothing", "one")}
+    scores = PhotographScores()
     some = photographs.photographs
     for start in range(0, len(some), _BATCH):
         batch = some[start : start + _BATCH]
@@ -42,29 +39,22 @@ def judge_photographs(
             reading.figures.float().argmax(1).cpu().numpy(),
         )
         for one, present, statements, figures in zip(batch, *said, strict=True):
-            _judge(one, present, statements, FIGURES[int(figures)], found)
-    return {name: round(float(np.mean(good)), 4) for name, good in found.items() if good}
+            kind = one.kind
+            if kind is None:
+                scores.add(NOTHING, FIGURES[int(figures)] == "none")
+                continue
+            scores.add(ONE, FIGURES[int(figures)] == "one")
+            parts = [name for name, logit in zip(PARTS, present, strict=True) if logit > 0]
+            scores.add_kind(kind, parts, _likeliest(statements[PARTS.index(kind.part)]))
+    return scores.shares()
 
 
-def _judge(
-    photograph: Photograph,
-    present: np.ndarray,
-    statements: np.ndarray,
-    figures: str,
-    found: dict[str, list[bool]],
-) -> None:
-    kind = photograph.kind
-    if kind is None:
-        found["nothing"].append(figures == "none")
-        return
-    found["one"].append(figures == "one")
-    part = PARTS.index(kind.part)
-    found["parts"].append(bool(np.array_equal(present > 0, np.arange(len(PARTS)) == part)))
-    for claim in SHOWN:
-        if claim in kind.are or claim in kind.may_be:
-            words = [(k, word) for k, (name, word) in enumerate(statement_labels()) if name == claim]
-            _, likeliest = max(words, key=lambda one: float(statements[part, one[0]]))
-            found[claim].append(kind.likely(claim, likeliest))
+def _likeliest(statements: np.ndarray) -> dict[str, str]:
+    """Of each claim the word with the highest of logits (S,)."""
+    found: dict[str, str] = {}
+    for k in np.argsort(-statements):
+        found.setdefault(*statement_labels()[int(k)])
+    return found
 
 
 def _square(photograph: Photograph, size: int) -> np.ndarray:

@@ -10,6 +10,7 @@ from torch.nn import functional as F
 
 from swifttailor.picture_reader.close_ups import WHOLE, told_by
 from swifttailor.picture_reader.figures import FIGURES
+from swifttailor.picture_reader.labels import VIEW
 from swifttailor.picture_reader.network_torch import Reading
 from swifttailor.picture_reader.panel_kinds import PANEL_KINDS
 from swifttailor.picture_reader.units import NARROWEST, WIDEST
@@ -19,6 +20,8 @@ from swifttailor.training.picture_config import LossWeights
 _SMALL = ("cuff", "cuff flounce", "leg cuff", "leg cuff flounce", "collar", "waistband", "inset", "tier")
 _KIND_WEIGHTS = [3.0 if kind in _SMALL else 1.0 for kind in PANEL_KINDS]
 """Kinds of panels that are small, or seldom there."""
+_SIDE_ALONE = torch.tensor([name in ("sine", "cosine") for name in VIEW])
+"""Of `VIEW`, what is known where the place is not: clothes are photographed with their fronts up."""
 _NEAR = 0.2
 """Measures that are nearer than this, in the unit of `scaled`, hardly count any more."""
 
@@ -30,7 +33,7 @@ def reading_losses(reading: Reading, truth: Answers, weights: LossWeights) -> di
     are there. ``widths`` is the likelihood of a Laplace distribution around each measure; the measures
     themselves have a loss of their own, for where widths are small the likelihood has gradients beside which
     all others vanish. Of a group nothing counts but that it is one, and of a picture in which the garment's
-    place is unknown neither masks nor the view do.
+    place is unknown neither masks nor the view do, but for the side that is seen.
     """
     reading = Reading(*(value.float() for value in reading if value is not None))
     count = len(truth.present)
@@ -52,7 +55,8 @@ def reading_losses(reading: Reading, truth: Answers, weights: LossWeights) -> di
     apart = F.smooth_l1_loss(reading.boxes, truth.boxes, reduction="none", beta=0.1).sum(-1)
     losses["boxes"] = (apart * truth.panels * truth.named * each.panels).sum()
     turned = F.smooth_l1_loss(reading.view, truth.view, reduction="none", beta=0.1)
-    losses["view"] = (turned * (one & truth.placed)[:, None]).sum()
+    told = one[:, None] & (truth.placed[:, None] | _SIDE_ALONE.to(one.device))
+    losses["view"] = (turned * told).sum()
     mask = F.binary_cross_entropy_with_logits(reading.masks, truth.masks, reduction="none")
     losses["masks"] = 10 * (mask.mean(dim=(1, 2, 3)) * (~several & truth.placed)).sum()
     known = truth.places.isfinite()

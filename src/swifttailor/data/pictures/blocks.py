@@ -130,6 +130,8 @@ class Blocks:
         epoch, k = divmod(place, len(self.wardrobe.bank))
         order = _order(self.seed, epoch, len(self.wardrobe.bank))
         family, view = self._family(chance), VIEWS[int(chance.choice(3, p=_VIEW_SHARES))]
+        if family == "laid":
+            view = "free"
         garment = int(order[k])
         if self.photographs is not None and family in ("photograph", "laid", "worn"):
             scene = self._photographed(self.photographs, garment, family, view, chance)

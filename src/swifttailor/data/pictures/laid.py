@@ -34,6 +34,7 @@ _LIMBS: dict[str, tuple[str, ...]] = {
 }
 """First joint of a limb of the left side, and all that hang on it."""
 _ENDS = {"left_arm": "left_hand", "left_thigh": "left_foot"}
+_FRONTS = 0.88
 _HUNG = 0.45
 """Share that hangs: arms down, a hook above; the others lie."""
 _TRUNK_WIDER, _LIMBS_WIDER = (1.05, 1.35), (1.15, 1.55)
@@ -63,14 +64,14 @@ def draw_laid(
     Args:
         wardrobe: What there is.
         number: Of the garment in the bank.
-        view: Which side is up; ``free`` takes the front three times in four.
+        view: Which side is up; ``free`` takes the front most of the time, as people do.
         chance: Decides everything else.
         size: Pixels along each side.
         ground: (size, size, 3) linear light of what it lies on, drawn over; one by lot when None.
     """
     worn = wardrobe.bank[number]
     if view == "free":
-        view = "front" if chance.random() < 0.75 else "back"
+        view = "front" if chance.random() < _FRONTS else "back"
     hangs = bool(chance.random() < _HUNG)
     vertices = laid_flat(worn, chance, hangs=hangs)
     camera = _camera(vertices, 0.0 if view == "front" else 180.0, chance)
