@@ -29,6 +29,12 @@ def test_sleeves_end_where_they_did():
     assert dict(tee.options)["sleeve_length"] > 50.0 and dict(tee.options)["sleeve_end"] < 35.0
 
 
+def test_sleeves_that_are_called_short_do_not_reach_the_elbow():
+    tee = NamedDraft("t-shirt", (("sleeve_length", 30.0),))
+    made = [oversized_as_asked(tee, [OVERSIZED, Claim("sleeves", word)]) for word in ("short", "elbow")]
+    assert [dict(one.options)["sleeve_length"] for one in made] == [26.0, 30.0]
+
+
 def test_a_length_that_is_told_stays():
     cropped = NamedDraft("t-shirt", (("length", -4.0),))
     made = oversized_as_asked(cropped, [OVERSIZED, Claim("top_hem", "cropped")])

@@ -11,7 +11,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from swifttailor.arrays import Floats
+from swifttailor.arrays import Bools, Floats
 from swifttailor.body import Body
 from swifttailor.body.wearer import body_of
 from swifttailor.draping.fabric import Fabric
@@ -40,6 +40,12 @@ OVERLAPPING_FRAMES = 24
 """So long fronts fall that overlap."""
 PLEATED_FRAMES = 24
 """So long pleats fall after they were laid."""
+WIDE_FRAMES = 20
+"""So long tops fall that hang free of the waist: as they were predicted, they stand out like bells."""
+FREE_CM = 2.4
+"""Free is what lies farther from the body, in the median, between waist and hips."""
+_BELOW_CROWN = 0.96
+"""Hoods reach higher, as a part of the height."""
 SMOOTHED_FRAMES = 8
 """For so long close garments are smoothed down before: their backs lie in rolls above the seat else."""
 CLOSE_BEHIND_CM, _HALF_BACK_CM = 1.9, 16.0
@@ -84,6 +90,8 @@ def relaxed(
     begun = replace(garment, vertices=layers_lifted(garment, body))
     if overlapping_vertices(garment.mesh):
         frames = OVERLAPPING_FRAMES
+    elif hangs_free(begun, body):
+        frames = WIDE_FRAMES
     pleated = pleats_laid(begun.mesh, begun.vertices, body)
     if pleated is not None:
         begun, frames = replace(begun, vertices=pleated), PLEATED_FRAMES
@@ -117,6 +125,29 @@ def relaxed(
     return fallen
 
 
+def hangs_free(garment: Garment, body: Body) -> bool:
+    """Whether it is a top or a dress, say, that hangs from the shoulders well away from waist and hips.
+
+    What has a hood does not: it would slip off the head.
+    """
+    levels, y = body.measurements, garment.vertices[:, 1]
+    if not levels.armpit_level < y.max() < _BELOW_CROWN * levels.height:
+        return False
+    points = garment.vertices[(y < levels.waist_level) & (y > levels.hips_level) & ~_on_arms(garment.mesh)]
+    if not len(points):
+        return False
+    distances, _ = BodyDistance.of(body).sample(points, np.zeros(len(points), dtype=bool))
+    return float(np.median(distances)) > FREE_CM
+
+
+def _on_arms(mesh: PatternMesh) -> Bools:
+    """Which vertices belong to sleeves."""
+    on_arm = np.array([region == "arm" for region in panel_regions(mesh.pattern).values()])
+    sleeves = np.zeros(mesh.vertex_count, dtype=bool)
+    sleeves[mesh.weld[on_arm[mesh.flat_panel]]] = True
+    return sleeves
+
+
 def _smoothed(garment: Garment, body: Body) -> Floats:
     """Smooth but for what it hangs from, sleeves and hoods, which slip when they are short for a while."""
     from swifttailor.draping.attachment import find_attachment
@@ -125,8 +156,7 @@ def _smoothed(garment: Garment, body: Body) -> Floats:
     held = np.zeros(mesh.vertex_count, dtype=bool)
     held[find_attachment(mesh, levels).vertices] = True
     held[garment.vertices[:, 1] > levels.armpit_level] = True
-    on_arm = np.array([region == "arm" for region in panel_regions(mesh.pattern).values()])
-    held[mesh.weld[on_arm[mesh.flat_panel]]] = True
+    held |= _on_arms(mesh)
     return smoothed_where_crumpled(mesh, garment.vertices, held)
 
 

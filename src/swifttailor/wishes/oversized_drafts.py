@@ -46,7 +46,9 @@ _SLEEVES: Mapping[str, tuple[float, float | None]] = {
     "shirt": (60.0, None),
 }
 """Usual length of each draft's sleeves, and width around at the end of long ones, cm; None: in a cuff."""
-_SHORT_END_CM = 46.0
+_SHORT_END_CM, _LONGEST_SHORT_CM = 46.0, 26.0
+"""Width around at the end of short ones; and their length where they are called short: longer ones reach the
+elbow, and would be cut back to a cap."""
 _BARE_EASE_CM = 24.0
 """Without sleeves, wider ones gape beside the arms."""
 _LONG, _LONG_CM = ("long", "extra-long"), 60.0
@@ -74,17 +76,20 @@ def oversized_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft
         options[name] = max(least, float(options.get(name, least)))
     options.pop("waist_shaping", None)
     if not shaped and fits[0] == "oversized" and draft.name in _SLEEVES and options.get("sleeves", True):
-        long = any(claim.name == "sleeves" and claim.value in _LONG for claim in claims)
-        options |= _sleeves(draft.name, options, long=long)
+        told = [str(claim.value) for claim in claims if claim.name == "sleeves"]
+        options |= _sleeves(draft.name, options, told)
     return replace(draft, options=tuple(options.items()))
 
 
-def _sleeves(name: str, options: Mapping[str, float | bool | str], *, long: bool) -> Mapping[str, float]:
+def _sleeves(
+    name: str, options: Mapping[str, float | bool | str], told: Sequence[str]
+) -> Mapping[str, float]:
     """Sleeves as wide as such tops have them; long ones begin lower, and end where they did."""
     usual, end = _SLEEVES[name]
     length = float(options.get("sleeve_length", usual))
-    length = max(length, _LONG_CM) if long else length
+    length = max(length, _LONG_CM) if any(word in _LONG for word in told) else length
     if length < _ELBOW_CM:
-        return {"sleeve_length": max(length, _SHORT_CM), "sleeve_end": _SHORT_END_CM}
+        longest = _LONGEST_SHORT_CM if "short" in told else _ELBOW_CM
+        return {"sleeve_length": min(max(length, _SHORT_CM), longest), "sleeve_end": _SHORT_END_CM}
     dropped = length - (_DROPPED_CM if "shoulder_extension" in _OPTIONS[name] else 0.0)
     return {"sleeve_length": dropped} | ({} if end is None else {"sleeve_end": end})

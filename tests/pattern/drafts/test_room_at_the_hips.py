@@ -56,3 +56,13 @@ def test_close_camisoles_bend_in_and_have_equal_room_at_the_hem() -> None:
     front, back = (hem_half(close, side) for side in "fb")
     assert front - body.front == pytest.approx(back - body.back, abs=0.05)
     assert front + back > body.front + body.back
+
+
+@pytest.mark.parametrize("name", ["t-shirt", "shirt", "sweatshirt"])
+def test_very_wide_tops_narrow_to_the_hem_and_others_do_not(name: str) -> None:
+    wide, wider = (swifttailor.draft(name, chest_ease=ease, length=32.0) for ease in (18.0, 34.0))
+    grown = sum(hem_half(wider, side) - hem_half(wide, side) for side in "fb")
+    assert 1.0 < grown < 0.5 * (34.0 - 18.0) / 2 + 0.5
+    flared = swifttailor.draft("t-shirt", chest_ease=34.0, length=32.0, flare=4.0)
+    plain = swifttailor.draft("t-shirt", chest_ease=34.0, length=32.0)
+    assert sum(hem_half(flared, side) - hem_half(plain, side) for side in "fb") > 6.0

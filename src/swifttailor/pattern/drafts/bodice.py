@@ -56,6 +56,9 @@ _PER_SHAPING = 2.0
 """Width around at the hem for each centimetre by which the sides are bent in."""
 _ABOVE_SEAT_CM = 6.0
 """What ends less far below the waist does not reach the seat; from twice that on it does."""
+_WIDE_CM, _LONGEST_TOP_CM, _TAPER, _MOST_TAPER_CM = 18.0, 42.0, 0.75, 12.0
+"""Tops with more room at the chest and straight sides narrow to the hem by a part of it, cm around: arms that
+are held out draw wide sides up and outward, and the hem would wing out like a bell."""
 _LEAST_CURVE = 6.0
 """Between bends of a side seam that follows the body, cm."""
 _FOLLOWING_EASE = 1.0
@@ -162,6 +165,8 @@ def lay_loose_bodice(table: CuttingTable, figure: Figure, shape: LooseBodice) ->
     if follows:
         shaping = 0.0
         widening = _half_at(figure, shape, hem_y).girth / 4 - chest.girth / 4
+    elif not (short or shape.waist_shaping or shape.flare):
+        widening = max(widening - _taper(shape), (body.girth - chest.girth) / 4)
     widening += shape.flare / 4
     rise = _hem_rise(max(widening, 0.0), under_y - hem_y, chest.girth / 4 + widening)
     tip_x = shoulder_tip_x(figure, shape.neckline, shape.shoulder_extension, chest)
@@ -229,6 +234,12 @@ def lay_loose_bodice(table: CuttingTable, figure: Figure, shape: LooseBodice) ->
             slit=slit if front else 0.0,
         )
     sew_torso(table)
+
+
+def _taper(shape: LooseBodice) -> float:
+    """How much narrower a very wide top is at its hem than at the chest, cm for each half."""
+    top = 0.0 < shape.length <= _LONGEST_TOP_CM
+    return min(max(_TAPER * (shape.chest_ease - _WIDE_CM), 0.0), _MOST_TAPER_CM) / 4 if top else 0.0
 
 
 def follows_body(stretch: float, waist_shaping: float, armhole: str = "set-in") -> bool:
