@@ -34,6 +34,11 @@ SLITS = [Claim("slit", "left"), Claim("slit", "right")]
     [
         ("shirt", [], "shirt"),
         ("shirt", [STAND], "shirt(collar=standing)"),
+        (
+            "denim-jacket(length=12)",
+            [Claim("top_hem", "cropped")],
+            "denim-jacket(length=1;chest_ease=11;hem_band_ease=1)",
+        ),
         ("polo-shirt", [STAND], "polo-shirt(collar=standing)"),
         ("shirt", [Claim("fit", "close")], "shirt(waist_shaping=2.5;chest_ease=4)"),
         ("polo-shirt", [Claim("fit", "close")], "polo-shirt(waist_shaping=2.5;chest_ease=4)"),
@@ -123,7 +128,7 @@ SLITS = [Claim("slit", "left"), Claim("slit", "right")]
         ("drop-waist-dress", [Claim("sleeves", "none")], "drop-waist-dress"),
         ("shift-dress", [Claim("collar", "stand")], "shift-dress(collar=standing)"),
         ("coat", [Claim("collar", "stand")], "coat(standing=true;collar_height=4.0)"),
-        ("hoodie", [Claim("top_hem", "cropped")], "hoodie(length=-4.0;chest_ease=12.0)"),
+        ("hoodie", [Claim("top_hem", "cropped")], "hoodie(length=1.0;chest_ease=11.0;hem_band_ease=1.0)"),
         ("fitted-top", [Claim("fit", "loose")], "tank-top(length=-5.0;chest_ease=12.0)"),
         ("shirt-dress", [Claim("skirt", "gathered")], "shirt-dress(gathers=2.0)"),
         ("trousers(length=102;leg_ease=20)", [CUFFED], "trousers(length=102;leg_ease=20)"),

@@ -161,7 +161,7 @@ def draft_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft | N
 _CROPPED: Mapping[str, tuple[str, Mapping[str, float]]] = {
     **dict.fromkeys(
         ("denim-jacket", "bomber-jacket", "sweatshirt", "hoodie"),
-        ("chest_ease", {"cropped": -4.0, "waist": 2.0}),
+        ("chest_ease", {"cropped": 1.0, "waist": 4.0}),
     ),
     **dict.fromkeys(
         ("t-shirt", "shirt", "turtleneck", "tank-top"), ("chest_ease", {"cropped": -5.0, "waist": 0.0})
@@ -173,6 +173,9 @@ _WITH_WINGS_CM: Mapping[str, float] = {"t-shirt": 8.0, "sweatshirt": 12.0}
 sleeves do not follow the arm."""
 _CROPPED_EASE_CM = 12.0
 """Wider ones stand off where they end."""
+_BANDED = frozenset({"denim-jacket", "bomber-jacket", "sweatshirt", "hoodie"})
+_CROPPED_BANDED: Mapping[str, float] = {"chest_ease": 11.0, "hem_band_ease": 1.0}
+"""Room of what a band ends at the waist: bands that are higher or wider stand off like a shelf."""
 
 
 def _cropped(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
@@ -193,6 +196,8 @@ def _cropped(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     options = {**own, "length": asked[0]}
     if options.get(ARMHOLE) == "cut-in-one":
         options["length"] = max(asked[0], _WITH_WINGS_CM.get(draft.name, 8.0))
+    elif draft.name in _BANDED and asked[0] == lengths["cropped"]:
+        options |= {k: min(float(options.get(k, most)), most) for k, most in _CROPPED_BANDED.items()}
     elif asked[0] < 0:
         options[room] = min(float(options.get(room, _CROPPED_EASE_CM)), _CROPPED_EASE_CM)
     return replace(draft, options=tuple(options.items()))

@@ -267,3 +267,11 @@ def test_short_tops_are_longer_in_front_where_the_bust_lifts_them():
         return back - front
 
     assert longer_in_front(2.0) > longer_in_front(20.0) + 1.0
+
+
+def test_backs_of_jumpers_are_cut_lower_at_the_neck_without_a_collar():
+    middles = []
+    for collar in ("none", "standing"):
+        corners = draft("sweatshirt", collar=collar).panel("left_btorso").vertices
+        middles.append(max(y for x, y in corners if abs(x) < 1e-6))
+    assert middles[0] == pytest.approx(middles[1] - 2.5, abs=0.2)

@@ -31,6 +31,9 @@ from swifttailor.pattern.pattern import Pattern
 _INSET_CM = 2.0
 """How far armholes without sleeves lie inside the shoulder tips."""
 
+_NAPE_CM = 4.0
+"""Fall of the back neckline of jumpers, cm: cut closer, it stands up behind the neck."""
+
 HemBandEase = Annotated[
     float, Option("Room of the hem band on top of the body there, all around.", "cm", 0.0, 20.0)
 ]
@@ -80,7 +83,7 @@ def draft_sweatshirt(options: SweatshirtOptions, measurements: Measurements) -> 
     """Drafts the sweatshirt for a body."""
     figure, table = Figure.of(measurements), CuttingTable("sweatshirt")
     collar = NeckCollar(options.collar, 0.0, options.collar_height)
-    neckline = Neckline(options.neckline, options.neck_widening, options.neck_depth, 2.0)
+    neckline = Neckline(options.neckline, options.neck_widening, options.neck_depth, _NAPE_CM)
     _lay_bodice(table, figure, options, collar.neckline(neckline), sleeves=options.sleeves)
     collar.lay(table, figure)
     if options.sleeves:
