@@ -274,4 +274,12 @@ def test_backs_of_jumpers_are_cut_lower_at_the_neck_without_a_collar():
     for collar in ("none", "standing"):
         corners = draft("sweatshirt", collar=collar).panel("left_btorso").vertices
         middles.append(max(y for x, y in corners if abs(x) < 1e-6))
-    assert middles[0] == pytest.approx(middles[1] - 2.5, abs=0.2)
+    assert middles[0] == pytest.approx(middles[1] - 1.8, abs=0.2)
+
+
+@pytest.mark.parametrize("collar", ["shirt", "standing", "rolled"])
+def test_necklines_of_collars_that_stand_are_closer_than_the_neck_is_wide(collar):
+    panel = draft("shirt", collar=collar).panel("left_ftorso")
+    corners = panel.to_world(panel.vertices)
+    highest = corners[corners[:, 1].argmax()]
+    assert BODY.neck_w / 2 - 0.3 < highest[0] < BODY.neck_w / 2 + 0.3

@@ -35,7 +35,8 @@ CollarHeight = Annotated[float, Option("Height of a collar that stands.", "cm", 
 _CLOSE, _BEHIND = 1.0, 1.5
 """Widest and lowest behind, cm, that a neckline may be to carry a collar."""
 _FOLDED_DEPTH = 7.0, 16.0
-_STANDING_WIDENING, _STANDING_DEPTH = 0.0, 6.0
+_STANDING_WIDENING, _STANDING_DEPTH, _STANDING_BEHIND = -0.8, 6.0, 2.2
+"""Of necklines of collars that stand, cm: with wider ones, or higher ones behind, they stand away from the neck."""
 _FLAT_DEPTH = 8.0
 _REVERS_DEPTH, _REVERS_CM = (16.0, 20.0), 6.5
 """Fall of the V of a collar with small lapels, at least and at most, and their width, cm."""
@@ -73,15 +74,13 @@ class NeckCollar:
         if self.shape == "revers":
             low, high = _REVERS_DEPTH
             depth = min(max(asked.front_depth, low), high)
-            return Neckline("v", min(asked.widening, _STANDING_WIDENING), depth, _BEHIND)
+            return Neckline("v", min(asked.widening, 0.0), depth, _BEHIND)
         if self.shape == "hood":
             return Neckline("round", _HOOD_WIDENING, _HOOD_DEPTH, _BEHIND)
         if self.shape == "flat":
             return Neckline("round", min(asked.widening, _CLOSE), _FLAT_DEPTH, _BEHIND)
-        if self.shape == "rolled":
-            return Neckline("round", _STANDING_WIDENING, _STANDING_DEPTH, _BEHIND)
-        if self.shape in ("standing", "shirt"):
-            return Neckline("round", _STANDING_WIDENING, _STANDING_DEPTH, _BEHIND)
+        if self.shape in ("standing", "shirt", "rolled"):
+            return Neckline("round", _STANDING_WIDENING, _STANDING_DEPTH, _STANDING_BEHIND)
         return asked
 
     def lay(self, table: CuttingTable, figure: Figure) -> None:
