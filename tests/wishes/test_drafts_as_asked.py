@@ -146,7 +146,7 @@ SLITS = [Claim("slit", "left"), Claim("slit", "right")]
         ("skater-dress", [LOOSE], LOOSE_DRESS),
         ("skater-dress(neck_depth=9)", [GATHERED], "skater-dress(neck_depth=9;gathers=2)"),
         ("fitted-dress", [GATHERED, BARE], "strapless-dress(gathers=2;skirt_length=60)"),
-        ("t-shirt", [PUFFED], "t-shirt(sleeve_shape=puffed;sleeve_length=22;sleeve_end=24)"),
+        ("t-shirt", [PUFFED], "t-shirt(sleeve_shape=puffed;sleeve_length=22;sleeve_end=21)"),
         ("t-shirt", [PUFFED, Claim("sleeves", "none")], SLEEVELESS.replace(";length=6", "")),
         ("swing-dress", [Claim("sleeve_shape", "bell"), Claim("sleeves", "long")], BELLS),
         ("shirt", [Claim("sleeve_shape", "balloon")], "shirt(sleeve_shape=balloon;sleeve_length=60)"),

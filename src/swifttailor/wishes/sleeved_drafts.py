@@ -46,7 +46,7 @@ _LENGTHS: Mapping[str, float] = {
 _EXTRA_LONG = Claim("sleeves", "extra-long")
 _USUAL = {"puffed": 22.0, "bell": 44.0, "balloon": 60.0, "plain": 44.0}
 """From the shoulder tip, cm, where nothing is said of the length."""
-_SLIM_END = 24.0
+_SLIM_END = 21.0
 """Width around at the end of long puffed sleeves, cm."""
 _WIDE = {"arm_ease": 18.0, "sleeve_end": 46.0}
 """Of sleeves that are to be wide."""

@@ -10,6 +10,7 @@ from test_cut import WAIST_Y, seam_length
 from swifttailor.describing import Claim
 from swifttailor.describing.differences import Gain
 from swifttailor.describing.measuring import measure_facts
+from swifttailor.pattern import Pattern
 from swifttailor.pattern.drafts import draft
 from swifttailor.wishes.well_within import well_within
 
@@ -110,3 +111,37 @@ def test_a_bare_back_is_bare_to_the_waist_and_beside_the_blades(name):
 
     assert bare(1.5) < 1.0 and bare(6.0) > 5.0 and bare(13.0) > 9.0
     assert Claim("back_depth", "open").holds(measure_facts(draft(name, **options))) or "halter" in name
+
+
+def underarm_seam(pattern: Pattern) -> np.ndarray:
+    """(n, 3) along the underarm seam of the left sleeve, cm."""
+    stitches = [
+        s for s in pattern.stitches if {r.panel for r in s.sides} == {"left_sleeve_f", "left_sleeve_b"}
+    ]
+    panel = pattern.panel("left_sleeve_f")
+    edges = [next(r.edge for r in s.sides if r.panel == panel.name) for s in stitches]
+    seams = [panel.to_world(panel.sample_edge(edge, 41)) for edge in edges]
+    return min(seams, key=lambda seam: seam[:, 1].mean())
+
+
+def test_legs_of_mutton_are_close_from_above_the_elbow():
+    mutton, plain = (
+        underarm_seam(draft("shirt", sleeve_shape=shape, sleeve_length=60.0, sleeve_end=21.0, cuffs=False))
+        for shape in ("puffed", "plain")
+    )
+
+    def bend(seam: np.ndarray) -> float:
+        """How far the seam is from the straight way between its ends, cm."""
+        way = (seam[-1] - seam[0]) / np.linalg.norm(seam[-1] - seam[0])
+        from_start = seam - seam[0]
+        return float(np.linalg.norm(from_start - np.outer(from_start @ way, way), axis=1).max())
+
+    assert bend(mutton) > 2.0 and bend(plain) < 0.1
+
+
+def test_long_balloon_sleeves_widen_to_their_cuffs():
+    long, short = (draft("shirt", sleeve_shape="balloon", sleeve_length=length) for length in (60.0, 24.0))
+    for pattern, wider in ((long, True), (short, False)):
+        sleeve = measure_facts(pattern).left_sleeve
+        assert (sleeve.end_width > sleeve.upper_width + 8.0) == wider
+    assert Claim("sleeve_shape", "balloon").holds(measure_facts(long))

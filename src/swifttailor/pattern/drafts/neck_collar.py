@@ -36,7 +36,8 @@ _CLOSE, _BEHIND = 1.0, 1.5
 """Widest and lowest behind, cm, that a neckline may be to carry a collar."""
 _FOLDED_DEPTH = 7.0, 16.0
 _STANDING_WIDENING, _STANDING_DEPTH, _STANDING_BEHIND = -0.8, 6.0, 2.2
-"""Of necklines of collars that stand, cm: with wider ones, or higher ones behind, they stand away from the neck."""
+"""Of necklines of collars that stand, cm: on wider ones, or higher ones behind, they stand away from the
+neck."""
 _FLAT_DEPTH = 8.0
 _REVERS_DEPTH, _REVERS_CM = (16.0, 20.0), 6.5
 """Fall of the V of a collar with small lapels, at least and at most, and their width, cm."""

@@ -44,6 +44,9 @@ PUFF_EASE, PUFF_CAP = 30.0, 0.6
 LEG_OF_MUTTON_EASE, LEG_OF_MUTTON_CAP = 38.0, 0.95
 """The same of long ones, which end as plain ones do."""
 BALLOON_EASE, BALLOON_CAP = 26.0, 0.12
+BALLOON_FLARE = 14.0
+"""How much wider long balloon sleeves are above the cuff than at the underarm, as bishop
+sleeves are, cm around."""
 BAND_CM, BAND_EASE = 3.0, 3.0
 """Height of the band of a short sleeve and its room around the arm, cm."""
 CUFF_CM, CUFF_EASE = 6.0, 4.0
@@ -83,7 +86,7 @@ def lay_shaped_sleeve(
     elif shape == "bell":
         lay(table, figure, replace(plain, flare=min(BELL_SHARE * plain.length, LARGEST_BELL_CM)))
     elif shape == "puffed" and plain.length >= LONG_CM:
-        full = replace(plain, arm_ease=LEG_OF_MUTTON_EASE, cap_ease=LEG_OF_MUTTON_CAP)
+        full = replace(plain, arm_ease=LEG_OF_MUTTON_EASE, cap_ease=LEG_OF_MUTTON_CAP, close_below_elbow=True)
         lay(table, figure, full)
     else:
         _lay_gathered(table, figure, shape, plain, lay)
@@ -101,6 +104,7 @@ def _lay_gathered(
     height, ease = (CUFF_CM, CUFF_EASE) if length >= LONG_CM else (BAND_CM, BAND_EASE)
     room, cap = (PUFF_EASE, PUFF_CAP) if shape == "puffed" else (BALLOON_EASE, BALLOON_CAP)
     wide = figure.upper_arm + room
-    full = replace(plain, length=length - height, arm_ease=room, cap_ease=cap, end_width=wide)
+    flare = BALLOON_FLARE if shape == "balloon" and length >= LONG_CM else 0.0
+    full = replace(plain, length=length - height, arm_ease=room, cap_ease=cap, end_width=wide, flare=flare)
     lay(table, figure, full)
     lay_sleeve_cuff(table, figure, length - height, ease, height)

@@ -40,6 +40,8 @@ class Sleeve:
     """How far the armhole already lies beyond the shoulder tip, cm."""
     flare: float = 0.0
     """By how much the end is wider than the underarm, cm around, whatever `end_width` says; 0 for nothing."""
+    close_below_elbow: bool = False
+    """Whether it narrows above the elbow and is as close as at its end from there on, as a leg of mutton."""
 
 
 @dataclass(frozen=True)
@@ -62,14 +64,14 @@ def lay_sleeve(table: CuttingTable, figure: Figure, shape: Sleeve) -> None:
     narrowing = max((cap.front + cap.back - shape.end_width) / 2, 0.0)
     narrowing = -shape.flare / 2 if shape.flare else min(narrowing, min(cap.front, cap.back) - 3.0)
     for side in "fb":
-        outline = sleeve_outline(cap, length, narrowing, front=side == "f")
+        outline = sleeve_outline(cap, length, narrowing, front=side == "f", early=shape.close_below_elbow)
         place_on_arm(table, figure, f"left_sleeve_{side}", outline)
         table.seam(f"left_{side}torso.armhole", f"left_sleeve_{side}.cap", gathered=True)
     table.seam("left_sleeve_f.top", "left_sleeve_b.top")
     table.seam("left_sleeve_f.under", "left_sleeve_b.under")
 
 
-def sleeve_outline(cap: Cap, length: float, narrowing: float, *, front: bool) -> Outline:
+def sleeve_outline(cap: Cap, length: float, narrowing: float, *, front: bool, early: bool = False) -> Outline:
     """Draws one half of a sleeve, x along the arm from the shoulder tip and y across it.
 
     Edges: under, hem, top, cap.
@@ -79,10 +81,16 @@ def sleeve_outline(cap: Cap, length: float, narrowing: float, *, front: bool) ->
         length: From the shoulder tip to the end, cm; more than the height of the cap.
         narrowing: From the underarm to the end, cm.
         front: Which half.
+        early: Whether most of it narrows in the upper half of the underarm seam.
     """
     half = cap.front if front else cap.back
     outline = Outline(cap.height, -half)
-    outline.line("under", length, -half + narrowing)
+    end, low = (length, -half + narrowing), length - cap.height
+    if early:
+        first = (cap.height + 0.2 * low, -half + 0.75 * narrowing)
+        outline.cubic("under", first, (cap.height + 0.45 * low, -half + narrowing), end)
+    else:
+        outline.line("under", *end)
     outline.line("hem", length, 0.0).line("top", 0.0, 0.0)
     _cap_curve(outline, cap.height, half, front)
     return outline.closed()
