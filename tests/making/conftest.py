@@ -65,7 +65,7 @@ TRIMMED = {
     "cheongsam": ("fitted-dress", ("diagonal closing",)),
     "hospital gown": ("shift-dress", ("back ties",)),
     "smock": ("t-shirt", ("back buttons", "back bow")),
-    "corset dress": ("strapless-dress", ("back lacing",)),
+    "corset dress": ("strapless-dress", ("back lacing", "boning")),
     "ripped jeans": ("jeans", ("fly", "rips", "frayed hem")),
     "jeans torn at the knees": ("jeans", ("knee rips",)),
     "jeans torn at the left": ("jeans", ("left knee rip",)),

@@ -66,6 +66,7 @@ def test_what_is_wanted_first(text, kind, first):
         ("a dress with an apron", {"apron"}),
         ("formal trousers", {"side pockets", "fly", "creases"}),
         ("a cheongsam", {"diagonal closing"}),
+        ("corset top", {"lacing", "boning"}),
         ("hakama", {"pleat lines", "waist bow"}),
         ("national costume", {"apron", "lacing", "edging"}),
         ("house dress", {"buttons", "patch pockets"}),

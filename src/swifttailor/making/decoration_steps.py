@@ -77,6 +77,11 @@ _OTHERS: Mapping[str, tuple[str, str]] = {
         "Lacing",
         "Set eyelets at the outer ends of the marked lines, and lace a cord of 2 m through them.",
     ),
+    "boning": (
+        "Boning",
+        "Before the lining or facing is sewn in, sew tape of 1.5 cm behind each marked line, along both "
+        "of its edges. Cut bones 1 cm shorter than the channels, round their ends, and push them in.",
+    ),
     "apron": (
         "Apron",
         "Cut the marked piece once more, with allowances. Hem its sides and lower edge, and catch its upper "

@@ -41,6 +41,7 @@ _LINES: Mapping[str, str] = {
     "lacing": "lacing",
     "back lacing": "lacing",
     "back buttons": "edge of the upper half",
+    "boning": "channel of a bone",
     "creases": "pressed crease",
     "pleat lines": "edge of a pleat",
     "diagonal closing": "piping",

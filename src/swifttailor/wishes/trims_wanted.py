@@ -35,6 +35,7 @@ TRIMS_OF: Mapping[str, tuple[str, ...]] = {
     "lace": ("lace trim",),
     "frills": _FRILLS,
     "lacing": ("lacing",),
+    "boning": ("boning",),
     "rib_bands": ("neck rib", "armhole ribs", "hem rib"),
     "fringe": ("hem fringe",),
     "apron": ("apron",),
@@ -65,7 +66,7 @@ _WRAPS = frozenset({"wrap-dress", "wrap-top", "robe"})
 _HOODED = frozenset({"hoodie", "hooded-coat"})
 _RIBS, _RIBBED = "rib_bands", frozenset({"t-shirt", "tank-top", "sweatshirt"})
 _KNITS = frozenset({"jersey", "rib-knit", "sweatshirt", "fleece"})
-_SAID_ALONE = frozenset({"lace", "braid", "apron"})
+_SAID_ALONE = frozenset({"lace", "braid", "apron", "boning"})
 """What is put on only where the text itself asks for it, or a row of the tables has its trim."""
 _LOWER = ("trousers", "shorts")
 _COLLARLESS, _TAILORED = "cardigan", "blazer"

@@ -63,6 +63,7 @@ SHOULD_HAVE = {
     "neck bow": (*TOPS, "shirt-dress"),
     "waist bow": ("skater-dress", "fitted-dress", "fitted-skirt"),
     "lacing": ("t-shirt", "shirt", "skater-dress", "bustier"),
+    "boning": ("bustier", "strapless-dress", "fitted-dress", "skater-dress"),
     "apron": ("skater-dress", "gathered-skirt", "circle-skirt"),
     "creases": TROUSERS[:4],
     "pleat lines": ("trousers", "pull-on-trousers"),
@@ -108,6 +109,7 @@ def test_has_its_place_on_the_drafts_that_should_have_it(name, drafts):
         ("armhole ribs", "t-shirt"), ("elastic waist", "bomber-jacket"), ("creases", "fitted-skirt"),
         ("diagonal closing", "trousers"), ("knee rips", "fitted-skirt"), ("left knee rip", "t-shirt"),
         ("back buttons", "jeans"), ("back ties", "fitted-skirt"), ("back lacing", "jeans"),
+        ("boning", "jeans"), ("boning", "coat"),
     ],
 )  # fmt: skip
 def test_has_none_on_others(name, draft_name, drafts):

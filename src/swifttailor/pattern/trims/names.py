@@ -46,6 +46,7 @@ TRIMS: Mapping[str, str] = {
     "neck bow": "a bow at the neck",
     "waist bow": "a bow at the waist",
     "lacing": "lacing down the front",
+    "boning": "boning in the bodice",
     "apron": "an apron in front",
     "creases": "pressed creases down the legs",
     "pleat lines": "pressed pleats down the legs",

@@ -15,6 +15,7 @@ from swifttailor.pattern.trims import (
     pressed_lines,
     quilting,
 )
+from swifttailor.pattern.trims.boning import boning
 from swifttailor.pattern.trims.chalk import Chalk
 from swifttailor.pattern.trims.diagonal_closing import diagonal_closing
 from swifttailor.pattern.trims.rips import frayed_hem, rips
@@ -60,6 +61,7 @@ _PLACES: Mapping[str, Callable[[Chalk, str], list[Trim]]] = {
     "neck bow": decorations.neck_bow,
     "waist bow": decorations.waist_bow,
     "lacing": decorations.lacing,
+    "boning": boning,
     "apron": decorations.apron,
     "creases": pressed_lines.creases,
     "pleat lines": pressed_lines.pleat_lines,
