@@ -12,13 +12,13 @@ from swifttailor.pattern.trims.shapes import Trim
 _BANDS = ("wb_front", "wb_back")
 _LOWER = ("skirt_", "pant_")
 """What hangs from the waist."""
-_ROWS = (0.36, 0.68)
+_ROWS = (0.5,)
 """Heights of the rows of stitches, as parts of the band's."""
 _BESIDE = 0.7
 """Rows and folds keep so far from the ends of their panel, cm."""
-_APART, _FOLD, _STITCH = 2.1, 0.11, 0.09
+_APART, _FOLD, _STITCH = 2.8, 0.06, 0.05
 """Distance of folds where they are gathered, half their width, and half that of a row, cm."""
-_DEEP = (4.5, 2.6, 6.4, 3.4, 5.4, 2.9)
+_DEEP = (3.4, 2.2, 4.8, 2.6, 4.0, 2.4)
 """How far folds run down from the band, one after the other, cm."""
 _GATHERED = 1.08
 """Cloth that is wider than the band by less than this lies smooth below it, as leggings do."""
