@@ -84,6 +84,7 @@ def test_legs_of_names(text, name, option, least, reader):
         ("skirt, short at front long behind", "circle-skirt", "hem_dip", 25.0, 40.0),
         ("asymmetric skirt longer at the back", "circle-skirt", "hem_dip", 25.0, 40.0),
         ("dress with a scalloped hem", "skater-dress", "scallop_width", 8.0, 12.0),
+        ("a skirt with a handkerchief hem", "circle-skirt", "hem_points", 18.0, 22.0),
         ("hobble skirt", "fitted-skirt", "flare", -6.0, -4.0),
         ("skirt narrow, narrower still at the bottom", "fitted-skirt", "flare", -6.0, -4.0),
         ("half slip", "circle-skirt", "fraction", 0.3, 0.4),

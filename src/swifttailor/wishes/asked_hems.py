@@ -1,4 +1,4 @@
-"""Named drafts with the hem that a text asks for: curved, longer behind, in arcs, or straight."""
+"""Named drafts with the hem that a text asks for: curved, longer behind, in arcs, in points, or straight."""
 
 from __future__ import annotations
 
@@ -6,19 +6,29 @@ from collections.abc import Collection, Mapping
 from dataclasses import replace
 
 from swifttailor.describing.claims import Claim
-from swifttailor.pattern.drafts.draft_names import CURVED_HEM, HEM_DIP, HEM_RISE, SCALLOPS, NamedDraft
+from swifttailor.pattern.drafts.draft_names import (
+    CURVED_HEM,
+    HEM_DIP,
+    HEM_POINTS,
+    HEM_RISE,
+    SCALLOPS,
+    NamedDraft,
+)
 
 RISE_CM = 6.0
 """How much higher a curved hem is at the side seams than in the middle."""
 _MAY_CURVE = ("shirt", "t-shirt", "tank-top", "shift-dress")
 _LEVEL = Claim("hem_shape", "level")
 _LONGER_BEHIND, _SCALLOPED = Claim("hem_shape", "high-low"), Claim("hem_shape", "scalloped")
+_POINTED = Claim("hem_shape", "pointed")
 _ROUND: Mapping[str, str] = {"circle-skirt": "length", "skater-dress": "skirt_length"}
 """Drafts whose hem may dip or be cut in arcs, and their option of its length in front."""
 _DIP_CM, _LOWEST_CM, _ARCS_CM = 34.0, 102.0, 10.0
 _IN_FRONT: Mapping[str, float] = {"micro": 38.0, "mini": 42.0, "above the knee": 50.0, "knee": 57.0}
 """Where hems that are longer behind end in front, below the waist, by what is asked for."""
 _USUAL_CM, _FULL = 50.0, 0.5
+_POINTS_CM, _MIDI_CM, _POINTED_FULL = 20.0, 62.0, 0.75
+"""How far points hang down, where the hem is above those of longer skirts, and the part of a circle."""
 _FRACTIONS: Mapping[str, tuple[str, float]] = {
     "circle-skirt": ("fraction", 0.75),
     "skater-dress": ("skirt_fraction", 0.75),
@@ -50,7 +60,7 @@ def hem_as_asked(
         denied: Keys of ``cannot.txt`` that it refuses.
     """
     options = dict(draft.options)
-    if draft.name in _ROUND and (_LONGER_BEHIND in claims or _SCALLOPED in claims):
+    if draft.name in _ROUND and not {_LONGER_BEHIND, _SCALLOPED, _POINTED}.isdisjoint(claims):
         return _shaped(draft, claims)
     if CURVED_HEM in lacks:
         if draft.name == _SHIRT_DRESS and not any(claim.name in _WAISTED for claim in claims):
@@ -69,6 +79,8 @@ def _shaped(draft: NamedDraft, claims: Collection[Claim]) -> NamedDraft:
     options = dict(draft.options)
     if options.get("gathers"):
         return draft
+    if _POINTED in claims:
+        return _pointed(draft, claims)
     if _LONGER_BEHIND not in claims:
         return replace(draft, options=tuple({**options, SCALLOPS: _ARCS_CM}.items()))
     ends = [str(claim.value) for claim in claims if claim.name == "skirt_hem"]
@@ -77,6 +89,18 @@ def _shaped(draft: NamedDraft, claims: Collection[Claim]) -> NamedDraft:
     full = max(_FULL, float(options.get(fraction, usual)))
     dipped = {_ROUND[draft.name]: front, fraction: full, HEM_DIP: min(_DIP_CM, _LOWEST_CM - front)}
     return replace(draft, options=tuple({**options, **dipped}.items()))
+
+
+def _pointed(draft: NamedDraft, claims: Collection[Claim]) -> NamedDraft:
+    """A round skirt, or a dress with one, whose hem hangs in points."""
+    options = dict(draft.options)
+    ends = [str(claim.value) for claim in claims if claim.name == "skirt_hem"]
+    usual = _MIDI_CM if ends else _USUAL_CM
+    above = next((_IN_FRONT[end] for end in ends if end in _IN_FRONT), usual)
+    fraction, _ = _FRACTIONS[draft.name]
+    full = max(_POINTED_FULL, float(options.get(fraction, _POINTED_FULL)))
+    pointed = {_ROUND[draft.name]: above, fraction: full, HEM_POINTS: _POINTS_CM}
+    return replace(draft, options=tuple({**options, **pointed}.items()))
 
 
 def _with(draft: NamedDraft, options: dict[str, float | bool | str], rise: float) -> NamedDraft:

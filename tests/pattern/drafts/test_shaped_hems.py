@@ -50,6 +50,18 @@ def test_arcs_are_shallow_and_of_the_width_asked_for(name, length, fraction):
     assert level.hem is not None and level.hem.arcs == 0
 
 
+@pytest.mark.parametrize(("name", "length", "fraction"), ROUND)
+def test_points_hang_down_at_the_sides_and_between(name, length, fraction):
+    level, pointed = (
+        draft(name, **{length: 50.0, fraction: 0.75, "hem_points": points}) for points in (0.0, 20.0)
+    )
+    for panel in ("skirt_front", "skirt_back"):
+        assert middle(pointed, panel) == pytest.approx(middle(level, panel), abs=3.0)
+        assert len(pointed.panel(panel).edges) == len(level.panel(panel).edges) + 2
+    assert Claim("hem_shape", "pointed").holds(measure_facts(pointed))
+    assert not Claim("hem_shape", "pointed").holds(measure_facts(level))
+
+
 def test_cloth_that_stretches_follows_the_waist_and_the_hips():
     loose, close = (
         draft("shift-dress", stretch=8, chest_ease=2, flare=0, length=70, waist_shaping=shaping)

@@ -84,6 +84,15 @@ HemDip = Annotated[
 ScallopWidth = Annotated[
     float, Option("Width of the arcs that the hem is cut in; none when 0. Not with a dip.", "cm", 0.0, 16.0)
 ]
+HemPoints = Annotated[
+    float,
+    Option(
+        "How far the hem hangs down in points, as of handkerchief skirts; less than 4: none. Not with a dip.",
+        "cm",
+        0.0,
+        30.0,
+    ),
+]
 HemBand = Annotated[
     float,
     Option("Height of a band that a gathered hem is drawn into, as of bubble skirts.", "cm", 0.0, 6.0),

@@ -160,6 +160,7 @@ class NamedDraft:
         options = dict(self.options)
         hem = (*(_OF_DIPS if options.get(HEM_DIP) else ()), *(_OF_ARCS if options.get(SCALLOPS) else ()))
         hem = (*hem, *(_OF_BUBBLES if options.get(HEM_BAND) else ()))
+        hem = (*hem, *(_OF_POINTS if options.get(HEM_POINTS) else ()))
         blousing = self.name == "joggers" and float(options.get("leg_ease", 0.0)) >= BLOUSING_CM
         ends = _blousing_ends(float(options.get("length", 98.0))) if blousing else ()
         bowed = _OF_BOWS if options.get("bow") else _OF_BARRELS if options.get("barrel") else ()
@@ -210,8 +211,8 @@ HEM_RISE, CURVED_HEM = "hem_rise", "curved_hem"
 HEM_BAND, PUFFBALL = "hem_band", "puffball"
 """The option of gathered hems that are drawn into a band, and what they are in ``cannot.txt``."""
 _OF_BUBBLES = (("skirt", "gathered"),)
-HEM_DIP, SCALLOPS = "hem_dip", "scallop_width"
-"""The options of hems that are lower behind than in front, and of those that are cut in arcs."""
+HEM_DIP, SCALLOPS, HEM_POINTS = "hem_dip", "scallop_width", "hem_points"
+"""The options of hems that are lower behind than in front, that are cut in arcs, and that hang in points."""
 SIDE_SLITS = "side_slits"
 """The option of slits in garments that have no skirt of their own to be measured."""
 ARMHOLE, DROPPED_BY = "armhole", "shoulder_extension"
@@ -234,6 +235,7 @@ _OF_DIPS = (
     *[("skirt_hem", end) for end in ("micro", "mini", "above the knee", "knee", "below the knee", "midi")],
 )
 """A hem that is lower behind ends in two places."""
+_OF_POINTS = (("hem_shape", "pointed"), *_OF_DIPS[1:])
 BLOUSING_CM = 30.0
 """With so much room at the knee, legs that end in cuffs hang over them."""
 _OF_BLOUSING = (("legs", "tapered"), ("legs", "wide"), ("hips", "loose"))

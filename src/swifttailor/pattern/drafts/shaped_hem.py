@@ -1,4 +1,4 @@
-"""Hems of skirts that are not level: longer behind than in front, or cut in small arcs."""
+"""Hems of skirts that are not level: longer behind than in front, cut in small arcs, or hanging in points."""
 
 from __future__ import annotations
 
@@ -20,6 +20,10 @@ _STEP = 1e-4
 
 NARROWEST_CM = 2.0
 """Narrower scallops are none."""
+LEAST_POINTS_CM = 4.0
+"""Lower points are none, cm."""
+_POINTS = 3
+"""Arcs of a panel between points, which hang down at both side seams and twice between them."""
 
 
 @dataclass(frozen=True)
@@ -32,11 +36,18 @@ class HemShape:
     """Width of the arcs about, cm; none when 0."""
     scallop_depth: float = 4.0
     """How far the arcs rise between their lowest points, cm."""
+    points: float = 0.0
+    """How far points hang down below the rest, cm; see `LEAST_POINTS_CM`."""
 
     @property
     def level(self) -> bool:
         """Whether nothing is to be drawn."""
-        return not self.dip and self.scallop_width < NARROWEST_CM
+        return not self.dip and self.scallop_width < NARROWEST_CM and not self.pointed
+
+    @property
+    def pointed(self) -> bool:
+        """Whether it hangs in points."""
+        return not self.dip and self.points >= LEAST_POINTS_CM
 
 
 LEVEL = HemShape()
@@ -53,7 +64,7 @@ def shaped_sector(
         outer: Length of the lower edge where it is level, cm.
         height: Upper edge to hem in front, cm.
         middle_top: y of the middle of the upper edge, cm.
-        hem: Its shape; dips come before arcs.
+        hem: Its shape; dips come before points, and those before arcs.
         front: Or back.
     """
     plain = annular_sector("waist", inner, outer, height, middle_top)
@@ -61,10 +72,13 @@ def shaped_sector(
         return plain
     sides = {side.name: side for side in plain.sides}
     place = _places(inner, outer, height, middle_top)
-    drop = _dipped(hem.dip, front) if hem.dip else lambda _: -hem.scallop_depth
+    level = hem.points if hem.pointed else -hem.scallop_depth
+    drop = _dipped(hem.dip, front) if hem.dip else lambda _: level
     outline = Outline(*place(-1.0, drop(-1.0)))
     if hem.dip:
         _draw_curve(outline, lambda u: place(u, drop(u)))
+    elif hem.pointed:
+        _draw_points(outline, place, hem.points)
     else:
         _draw_arcs(outline, place, max(round(outer / hem.scallop_width), 2), hem.scallop_depth)
     upper = sides["waist"]
@@ -116,3 +130,11 @@ def _draw_arcs(outline: Outline, place: Callable[[float, float], Point], count: 
     for low, high in pairwise(map(float, ends)):
         inset = 0.08 * (high - low)
         outline.cubic("bottom", place(low + inset, down), place(high - inset, down), place(high, -depth))
+
+
+def _draw_points(outline: Outline, place: Callable[[float, float], Point], depth: float) -> None:
+    ends = np.linspace(-1.0, 1.0, _POINTS + 1)
+    up = -depth / 3  # as above: in the middle the hem is where a level one would be
+    for low, high in pairwise(map(float, ends)):
+        inset = 0.3 * (high - low)
+        outline.cubic("bottom", place(low + inset, up), place(high - inset, up), place(high, depth))

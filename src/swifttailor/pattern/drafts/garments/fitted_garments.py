@@ -218,6 +218,7 @@ class SkaterDressOptions(SleevedBodiceOptions):
     hem_band: declared.HemBand = 0.0
     hem_dip: declared.HemDip = 0.0
     scallop_width: declared.ScallopWidth = 0.0
+    hem_points: declared.HemPoints = 0.0
 
 
 def draft_skater_dress(options: SkaterDressOptions, measurements: Measurements) -> Pattern:
@@ -227,7 +228,7 @@ def draft_skater_dress(options: SkaterDressOptions, measurements: Measurements) 
     waist = lay_sleeved_bodice(table, figure, options)
     table.mirror()
     sew_centres(table)
-    hem = HemShape(options.hem_dip, options.scallop_width)
+    hem = HemShape(options.hem_dip, options.scallop_width, points=options.hem_points)
     skirt = RoundSkirt(options.skirt_length, options.skirt_fraction, options.gathers, hem, options.hem_band)
     lay_round_skirt(table, figure, skirt, waist)
     return table.finish()

@@ -86,6 +86,7 @@ class CircleSkirtOptions:
     waist_ease: declared.BandEase = 0.0
     hem_dip: declared.HemDip = 0.0
     scallop_width: declared.ScallopWidth = 0.0
+    hem_points: declared.HemPoints = 0.0
 
 
 def draft_circle_skirt(options: CircleSkirtOptions, measurements: Measurements) -> Pattern:
@@ -94,7 +95,7 @@ def draft_circle_skirt(options: CircleSkirtOptions, measurements: Measurements) 
     table = CuttingTable("circle-skirt")
     lower = lay_body_waist_band(table, figure, options.band_height, options.waist_ease)
     top_y = figure.waist_y - options.band_height - 3.0
-    hem = HemShape(options.hem_dip, options.scallop_width)
+    hem = HemShape(options.hem_dip, options.scallop_width, points=options.hem_points)
     lay_flared_skirt(table, lower, options.length - options.band_height, top_y, options.fraction, hem)
     sew_skirt_to_band(table, SKIRT_WHOLE)
     return table.finish()
