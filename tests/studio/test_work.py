@@ -190,6 +190,17 @@ def test_words_to_garments(client):
     assert follow(client, again["id"])[-1][1]["documents"][0]["mesh"] == done.documents[0].mesh
 
 
+def test_words_for_two_garments_make_both(client):
+    text = "a white blouse and a black pencil skirt"
+    job = ask(client, "/api/jobs", {"kind": "generate", "text": text, "seed": 3})
+    documents = Job.model_validate(follow(client, job["id"])[-1][1]).documents
+    assert [(d.part, d.seed, d.color) for d in documents] == [
+        ("upper", 3, "#ffffff"),
+        ("lower", 3, "#000000"),
+    ]
+    assert not any("several garments" in chip.text for d in documents for chip in d.reading.cannot)
+
+
 def test_a_picture_is_read(client):
     from pathlib import Path
 

@@ -30,7 +30,7 @@ from swifttailor.pattern_maker.network.model_file import load_model
 from swifttailor.pattern_maker.temperatures import USUAL_TEMPERATURE
 from swifttailor.pattern_maker.tokens.grammar import Grammar, Limits
 from swifttailor.tailor import Order, Tailor, Tailored
-from swifttailor.tailor.reporting import NOTHING_UNDERSTOOD
+from swifttailor.tailor.reporting import NOTHING_UNDERSTOOD, ONE_OF_TWO
 
 TINY_MAKER = Path(__file__).parents[1] / "pattern_maker" / "tiny_maker.zip"
 SHIRT, SKIRT, DRESS = draft("t-shirt"), draft("fitted-skirt"), draft("fitted-dress")
@@ -371,6 +371,12 @@ def test_what_cannot_be_cut_is_told(sewer):
     assert unread.notes[0] == NOTHING_UNDERSTOOD and unread.report["wishes"] == []
     red = Tailor.load(scripted_maker([SHIRT]), sewer).generate("a red one", attempts=1, source="writer")
     assert NOTHING_UNDERSTOOD not in red.notes
+    two = Tailor.load(scripted_maker([SHIRT]), sewer)
+    of_both = [
+        two.generate("a blouse and a skirt", part=part, attempts=1, source="writer")
+        for part in (None, "upper")
+    ]
+    assert [ONE_OF_TWO in made.notes for made in of_both] == [True, False]
     left = Tailor.load(scripted_maker([DRESS]), sewer).generate("a midi dress", attempts=1, alter=False)
     assert like(left.pattern, DRESS) and left.report["wishes"] == []
 

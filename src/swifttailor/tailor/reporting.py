@@ -32,6 +32,10 @@ if TYPE_CHECKING:
 LONGEST_NOTE = 200
 """Letters of a text that a note says again."""
 NOTHING_UNDERSTOOD = "Nothing measurable was understood from the text with certainty, so nothing was altered."
+ONE_OF_TWO = (
+    "The text asks for two garments, and this is a single one of the whole text: Tailor.generate_all makes "
+    "both, and part='upper' or part='lower' one of them."
+)
 AS_IT_WAS = (
     "Nothing was understood of what to change, so the pattern is the one that was given. Lengths, widths, "
     "necklines, sleeves, collars, hoods, waistbands, slits and tiers can be changed (docs/edits.md)."
@@ -226,6 +230,8 @@ def order_notes(answer: Answer, wanted: Wanted) -> list[str]:
     found += [f"Look at the pattern: {oddity}." for oddity in answer.verdict.oddities]
     if order.is_of_two:
         found.append(f'Of the two garments, the {order.part} one: "{one_line(order.words, LONGEST_NOTE)}".')
+    elif order.part is None and not order.images and order.outfit is not None:
+        found.append(ONE_OF_TWO)
     if wanted.text != order.words:
         found.append(f"Read as: {one_line(wanted.text, LONGEST_NOTE)}")
     if wanted.misses and not (answer.put_on or answer.taken_off):

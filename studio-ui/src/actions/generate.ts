@@ -5,6 +5,7 @@ import { notify, useSession } from "../state/session";
 import { currentVersion, useStudio } from "../state/store";
 import { sentenceCase } from "../ui/sentence-case";
 import { runJob } from "./jobs";
+import { outfitOf } from "./outfit";
 import { newProject } from "./projects";
 import { wearerNamed } from "./wearers";
 
@@ -33,8 +34,15 @@ export async function generate(): Promise<void> {
   const [first, ...others] = job.documents;
   for (const { error } of job.failures) notify("warning", error.message, error.hint);
   if (first === undefined) return;
-  if (others.length > 0) useSession.getState().set({ variants: job.documents });
-  else openMade(first);
+  const isChoice = variants > 1 && others.length > 0;
+  if (isChoice) useSession.getState().set({ variants: job.documents });
+  else openChosen(first, job.documents);
+}
+
+/** Shows a garment of those that were made together; the other of two that are worn together waits beside it. */
+export function openChosen(document: Document, made: Document[]): void {
+  openMade(document);
+  useSession.getState().set({ outfit: outfitOf(made, document) });
 }
 
 /** Shows a garment that was made as a new project. */

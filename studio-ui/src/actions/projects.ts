@@ -22,6 +22,7 @@ type LastOpen = { project: string } | { unsaved: ProjectContent };
 /** What is opened next belongs to no project yet. */
 export function newProject(name: string): void {
   useProject.getState().set({ id: null, name: name || UNTITLED, folder: null, revision: 0, save: "saved" });
+  useSession.getState().set({ outfit: null });
 }
 
 function contentNow(): ProjectContent | null {
@@ -182,6 +183,7 @@ async function autosave(): Promise<void> {
 function show(project: Project, content: ProjectContent): void {
   restoreContent(content);
   const { id, folder, revision } = project;
+  useSession.getState().set({ outfit: null });
   useProject.getState().set({ id, folder, revision, name: content.name, save: "saved" });
 }
 

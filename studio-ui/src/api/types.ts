@@ -295,6 +295,8 @@ export interface Document {
   edge_length: number;
   seed: number | null;
   prompt: string;
+  /** Where it is worn, of the two garments that a text asked for; absent in what earlier versions have saved. */
+  part?: Part | null;
   /** By stage. */
   seconds: Record<string, number>;
 }

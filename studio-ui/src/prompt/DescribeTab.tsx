@@ -1,6 +1,8 @@
 import { openExample } from "../actions/boot";
 import { generate } from "../actions/generate";
+import { showPiece } from "../actions/outfit";
 import { wearerNamed } from "../actions/wearers";
+import { PART_NAMES } from "../state/outfit";
 import { randomSeed, usePrompt } from "../state/prompt";
 import { useSession } from "../state/session";
 import { currentVersion, lastReading, useStudio } from "../state/store";
@@ -90,9 +92,37 @@ export function DescribeTab() {
           {variants === 4 ? "Make four garments" : "Make the garment"}
         </Button>
       </form>
+      <OutfitChoice />
       <Read />
       <Gallery />
     </>
+  );
+}
+
+/** Which of two garments is shown. */
+function OutfitChoice() {
+  const outfit = useSession((state) => state.outfit);
+  const busy = useSession((state) => state.job !== null || state.working !== null);
+  if (outfit === null) return null;
+  return (
+    <section className="block" aria-label="Two garments">
+      <h2>Two garments</h2>
+      <div className="row">
+        <span className="label">Show</span>
+        <Segmented
+          label="Which of the two garments is shown"
+          value={outfit.shown}
+          options={outfit.pieces.map(({ document }, k) => ({
+            value: k,
+            label: PART_NAMES[document.part ?? "whole"],
+            title: document.description,
+          }))}
+          onChange={showPiece}
+          disabled={busy}
+        />
+      </div>
+      <p className="muted small-text">Each is a project of its own: save each that you want to keep.</p>
+    </section>
   );
 }
 

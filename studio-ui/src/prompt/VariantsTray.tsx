@@ -1,8 +1,9 @@
 import { useEffect, useState } from "react";
-import { openMade } from "../actions/generate";
+import { openChosen } from "../actions/generate";
 import type { Document } from "../api/types";
 import { garmentMesh } from "../garment/mesh-cache";
 import { renderedPicture } from "../garment/picture";
+import { PART_NAMES } from "../state/outfit";
 import { fromWire } from "../state/pattern-json";
 import { useSession } from "../state/session";
 import { IconButton } from "../ui/Button";
@@ -17,18 +18,24 @@ export function VariantsTray() {
     <section className="variants" aria-label="Choose one">
       <header className="row">
         <h2>Choose one</h2>
-        <span className="muted">Each is made with another seed.</span>
+        <span className="muted">
+          {variants.some((each) => each.part)
+            ? "Each pair is made with another seed. The other garment of the pair opens with the one you choose."
+            : "Each is made with another seed."}
+        </span>
         <div className="spring" />
         <IconButton icon="close" label="Keep what was open" onClick={() => set({ variants: null })} />
       </header>
       <ul>
         {variants.map((variant) => (
-          <li key={variant.seed}>
-            <button type="button" onClick={() => openMade(variant)}>
+          <li key={`${variant.part} ${variant.seed}`}>
+            <button type="button" onClick={() => openChosen(variant, variants)}>
               <Picture variant={variant} />
               <PatternThumbnail pattern={fromWire(variant.pattern)} />
               <span className="row">
-                <strong>Seed {variant.seed}</strong>
+                <strong>
+                  {variant.part ? `${PART_NAMES[variant.part]}, seed` : "Seed"} {variant.seed}
+                </strong>
                 <span className="muted">
                   {variant.open.length === 0 ? "All that was asked for" : `${variant.open.length} not done`}
                 </span>

@@ -2,6 +2,7 @@
 
 import { create } from "zustand";
 import type { Document, Job, State } from "../api/types";
+import type { Outfit } from "./outfit";
 
 export interface Notice {
   id: number;
@@ -26,6 +27,8 @@ export interface SessionState {
   frame: { mesh: string; number: number; positions: Float32Array } | null;
   /** Garments to choose from. */
   variants: Document[] | null;
+  /** Both garments of words that asked for two. */
+  outfit: Outfit | null;
   notices: Notice[];
   dialog: Dialog;
   tab: Tab;
@@ -46,6 +49,7 @@ export const useSession = create<SessionState>()((set) => ({
   jobTitle: "",
   frame: null,
   variants: null,
+  outfit: null,
   notices: [],
   dialog: null,
   tab: "describe",

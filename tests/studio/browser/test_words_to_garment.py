@@ -89,6 +89,17 @@ def test_four_variants_are_made_to_choose_from(studio_page, shot):
     assert page.get_by_role("spinbutton", name="Seed").input_value() == "13"
 
 
+def test_two_garments_of_one_wish_are_both_made(studio_page):
+    page = studio_page.page
+    studio_page.describe("a white blouse and a black pencil skirt")
+    blouse = studio_page.mesh()
+    choice = page.get_by_role("region", name="Two garments")
+    choice.get_by_text("Bottom").click()
+    skirt = studio_page.wait_for_another_mesh(blouse)
+    choice.get_by_text("Top").click()
+    assert studio_page.wait_for_another_mesh(skirt) == blouse
+
+
 def test_the_same_seed_makes_the_same_garment(studio_page):
     studio_page.describe("a tank top")
     first = studio_page.mesh()

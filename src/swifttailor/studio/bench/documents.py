@@ -99,6 +99,7 @@ def document(
         "edge_length": edge_length,
         "seed": None,
         "prompt": "",
+        "part": None,
         "seconds": {} if garment is None else numbers(garment.report.get("seconds", {})),
     }
     return Work(answer | more, worn.meshes if record is None else (record, *worn.meshes))

@@ -16,6 +16,7 @@ from swifttailor.studio.bench.tasks import tailor
 from swifttailor.studio.bench.wearers import wearing
 from swifttailor.studio.worker.link import Link
 from swifttailor.studio.worker.refusal import refusal_of
+from swifttailor.tailor.all_parts import orders_of_parts
 from swifttailor.tailor.order import Order, Part
 from swifttailor.tailor.tailored import Tailored
 from swifttailor.wishes.wearer_words import hear_wearer
@@ -32,7 +33,10 @@ def generate(
     finish: bool,
     wearer: dict[str, Any] | None = None,
 ) -> Work:
-    """Garments of a description, pictures, or both, one for each seed from `seed` on."""
+    """Garments of a description, pictures, or both, one for each seed from `seed` on.
+
+    Of a description of two garments that are worn together both are made, with every seed.
+    """
     order = Order(
         text,
         pictures or None,
@@ -42,7 +46,8 @@ def generate(
         finish=finish,
         body=_body_for(text, wearer),
     )
-    return _made(link, order, origin="generate", prompt=text)
+    parts: dict[Part, Order] = {"whole": order} if pictures else orders_of_parts(order, tailor())
+    return _made(link, parts, origin="generate", prompt=text)
 
 
 def edit(
@@ -73,7 +78,7 @@ def edit(
         finish=finish,
         body=body,
     )
-    return _made(link, order, origin="edit", prompt=instruction)
+    return _made(link, {"whole": order}, origin="edit", prompt=instruction)
 
 
 def sew(
@@ -105,19 +110,33 @@ def _body_for(text: str, wearer: dict[str, Any] | None) -> Body | None:
     return wearing(named).body
 
 
-def _made(link: Link, order: Order, *, origin: str, prompt: str) -> Work:
+def _made(link: Link, orders: dict[Part, Order], *, origin: str, prompt: str) -> Work:
     documents, failures, meshes = [], [], []
-    for k, outcome in enumerate(tailor().make(order, progress=link.stage)):
-        if isinstance(outcome, Tailored):
-            link.stage("describing", k / order.samples)
-            work = tailored_document(outcome, origin=origin, prompt=prompt, edge_length=order.edge_length)
-            documents.append(work.answer)
-            meshes += work.meshes
-        else:
-            failures.append({"seed": order.seed + k, "error": refusal_of(outcome)})
+    for part, order in orders.items():
+        for k, outcome in enumerate(_outcomes(link, order, alone=len(orders) == 1)):
+            if isinstance(outcome, Tailored):
+                link.stage("describing", k / order.samples)
+                named = {"part": part} if len(orders) > 1 else {}
+                work = tailored_document(
+                    outcome, origin=origin, prompt=prompt, edge_length=order.edge_length, **named
+                )
+                documents.append(work.answer)
+                meshes += work.meshes
+            else:
+                failures.append({"seed": order.seed + k, "error": refusal_of(outcome)})
     if not documents:
         raise _first_error(failures)
     return Work({"documents": documents, "failures": failures}, tuple(meshes))
+
+
+def _outcomes(link: Link, order: Order, *, alone: bool) -> list[Tailored | SwiftTailorError]:
+    """What comes of an order; that of two cannot be carried out does not take the other with it."""
+    try:
+        return tailor().make(order, progress=link.stage)
+    except SwiftTailorError as error:
+        if alone:
+            raise
+        return [error]
 
 
 class NoneMadeError(SwiftTailorError):

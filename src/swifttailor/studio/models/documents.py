@@ -11,6 +11,7 @@ from swifttailor.studio.models.base import (
     ErrorInfo,
     FabricName,
     Model,
+    Part,
     PartLooks,
     PatternJson,
     Severity,
@@ -190,4 +191,6 @@ class Document(Model):
     edge_length: float
     seed: int | None
     prompt: str
+    part: Part | None = None
+    """Where it is worn, of the two garments that a text asked for."""
     seconds: dict[str, float]
