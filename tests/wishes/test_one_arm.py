@@ -9,8 +9,9 @@ from hypothesis import strategies as st
 from swifttailor.describing import Claim
 from swifttailor.describing.claims import CLAIM_TYPES
 from swifttailor.describing.differences import Gain
-from swifttailor.wishes.one_arm import of_one_arm
+from swifttailor.wishes.one_arm import of_one_arm, without_guessed_length
 from swifttailor.wishes.reader import Wish
+from swifttailor.wording.lexicon import read_words
 
 LENGTHS = ("cap", "short", "elbow", "three-quarter", "long", "extra-long")
 NOT_LENGTHS = [
@@ -60,3 +61,20 @@ def test_sleeves_stay_those_of_both_arms_where_both_have_one(length, said):
     kept = [c for c in said if c.name not in ("sleeves", "shoulders")]
     wishes = (wish("sleeves", length), *[Wish(Gain(claim), 0.9) for claim in kept])
     assert of_one_arm(wishes) == wishes
+
+
+@pytest.mark.parametrize(
+    ("text", "lengths"),
+    [
+        ("a shirt with one sleeve", set()),
+        ("a top with one sleeve", set()),
+        ("a top with one long sleeve", {"long"}),
+        ("a top with one sleeve to the blorf", {"short", "long"}),
+        ("a shirt with two sleeves", {"short", "long"}),
+    ],
+)
+def test_no_length_is_guessed_of_the_only_sleeve(text, lengths):
+    """The draft decides it; unknown words may say one."""
+    found = [wish("sleeves", "right only"), wish("right_sleeve", "short"), wish("right_sleeve", "long")]
+    left = without_guessed_length(found, read_words(text))
+    assert {w.change.claim.value for w in left} == {"right only", *lengths}

@@ -19,6 +19,8 @@ from swifttailor.wishes.spoken_sides import blanked, spoken_sides
         ("left sleeve long, right sleeve short", {"left_sleeve": "long", "right_sleeve": "short"}),
         ("a short right sleeve and a long left sleeve", {"left_sleeve": "long", "right_sleeve": "short"}),
         ("one long sleeve, one short", {"left_sleeve": "long", "right_sleeve": "short"}),
+        ("with one sleeve long and one short", {"left_sleeve": "long", "right_sleeve": "short"}),
+        ("one sleeve is long, the other one short", {"left_sleeve": "long", "right_sleeve": "short"}),
         ("the left arm 3/4 length", {"left_sleeve": "three-quarter"}),
         ("one strap, on the left", {"shoulders": "bare right"}),
         ("right shoulder covered left one bare", {"shoulders": "bare left"}),

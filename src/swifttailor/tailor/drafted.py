@@ -50,12 +50,23 @@ class DraftCandidate:
         options: dict[str, Any] = dict(self.draft.options)
         if not self.plain:
             options |= self._varied(options)
-        return draft(self.name, measurements=measurements, **options)
+        return draft(self.name, measurements=measurements, **self._accepted(options))
 
     @property
     def has_wings(self) -> bool:
         """Whether its sleeves are cut in one with the body, so that it must be drafted anew for each body."""
         return dict(self.draft.options).get(ARMHOLE) == "cut-in-one"
+
+    def _accepted(self, options: dict[str, Any]) -> dict[str, Any]:
+        """Options within what the draft accepts: what words ask for together may be more than it can be."""
+        from swifttailor.pattern.drafts import find_draft
+
+        within = dict(options)
+        for field in find_draft(self.name).options:
+            low, high, asked = field.option.low, field.option.high, options.get(field.name)
+            if low is not None and high is not None and isinstance(asked, int | float):
+                within[field.name] = min(max(asked, low), high)
+        return within
 
     def _varied(self, options: dict[str, Any]) -> dict[str, float]:
         from swifttailor.pattern.drafts import find_draft

@@ -36,6 +36,8 @@ _OF_DRESSES = (
     "collar_height",
 )
 _SHORTEST_CM = 25.0
+_DEEPEST_BACK_CM = 16.0
+"""Backs that are bare further down end at a seam at the waist."""
 _SKIRT_CM: Mapping[str, float] = {"fitted-dress": 60.0, "skater-dress": 50.0}
 _CLOSE_SKIRTS = ("pencil", "straight", "narrowing")
 _WITH_WAIST = frozenset({"waist_seam", "slit", "tiers", "gores"})
@@ -66,7 +68,8 @@ def clinging_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
         draft: As it was asked for otherwise.
         claims: What is asked for, all of it.
     """
-    if draft.name in _DRESSES and not any(_has_waist(claim) for claim in claims):
+    bare = float(dict(draft.options).get("back_neck_depth", 0.0)) > _DEEPEST_BACK_CM
+    if draft.name in _DRESSES and not bare and not any(_has_waist(claim) for claim in claims):
         draft = _without_waist(draft)
     options = dict(draft.options)
     if draft.name in _KNITTED:

@@ -33,7 +33,7 @@ from swifttailor.wishes.long_names import (
     is_long_name,
 )
 from swifttailor.wishes.mentions import find_mentions
-from swifttailor.wishes.one_arm import of_one_arm, of_two_arms, with_both_arms
+from swifttailor.wishes.one_arm import of_one_arm, of_two_arms, with_both_arms, without_guessed_length
 from swifttailor.wishes.reader import Wish, WishReader
 from swifttailor.wishes.refused_looks import refused_frills
 from swifttailor.wishes.sayings_of_wishes import plainly_wished, without_asides
@@ -175,7 +175,7 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
         found = (*found, Wish(Gain(Claim("sleeves", length)), SURENESS["usual"]))
     if words.language == ENGLISH:
         found = _without_guesses(with_both_arms(text, found), words)
-    found = without_opposites(of_two_arms(of_one_arm(found)), words)
+    found = without_opposites(of_two_arms(of_one_arm(without_guessed_length(found, words))), words)
     changes = _changes(found)
     slits = sum(isinstance(c, Gain) and c.claim.name == "slit" for c in changes)
     heard = [m.mention for m in measures if m.claim or (not m.mention.is_length and m.mention.value <= slits)]

@@ -10,6 +10,7 @@ from swifttailor.describing.claims import CLAIM_TYPES, Claim, claims_of
 from swifttailor.describing.differences import Change, Gain
 from swifttailor.describing.facts import GarmentFacts
 from swifttailor.wishes.reader import Wish
+from swifttailor.wording.lexicon import WordMark, WordReading
 from swifttailor.wording.lexicon.conflicts import SCALES
 
 _LEFT, _RIGHT = Claim("sleeves", "left only"), Claim("sleeves", "right only")
@@ -70,6 +71,30 @@ def with_both_arms(text: str, found: Iterable[Wish]) -> tuple[Wish, ...]:
             wish = replace(wish, change=Gain(Claim("sleeves", claim.value)))
         both.setdefault(wish.change, wish)
     return tuple(both.values())
+
+
+def without_guessed_length(found: Iterable[Wish], words: WordReading) -> tuple[Wish, ...]:
+    """The same wishes without how long the only sleeve is, where no word can mean what a network says."""
+    found = tuple(found)
+    implied = {i.claim for i in words.implications}
+    lengths = [i for i in words.implications if i.claim.name == "sleeves" and i.claim.value in _LENGTHS]
+    said = {i.claim.value for i in lengths if i.said}
+    open_to_guesses = not said and any(_category(mark) == "lengths" for mark in words.marks)
+    if words.unknown or open_to_guesses or not {_LEFT, _RIGHT} & implied:
+        return found
+    own = said or {i.claim.value for i in lengths}
+    return tuple([w for w in found if (length := _length_of(w)) is None or length in own])
+
+
+def _length_of(wish: Wish) -> object:
+    """How long a wish says that a sleeve is; None of all others."""
+    claim = wish.change.claim if isinstance(wish.change, Gain) else None
+    about_arms = claim is not None and claim.name in ("sleeves", "left_sleeve", "right_sleeve")
+    return claim.value if claim is not None and about_arms and claim.value in _LENGTHS else None
+
+
+def _category(mark: WordMark) -> str | None:
+    return mark.entries[0].category if mark.entries else None
 
 
 def of_two_arms(found: Iterable[Wish]) -> tuple[Wish, ...]:

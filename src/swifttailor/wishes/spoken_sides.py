@@ -33,6 +33,10 @@ _EACH = re.compile(
     rf"(?<!\w)one (?P<length>{_LENGTH})(?:[- ]length)?(?: {_ARM})?,?(?: and)? (?:one|the other)"
     rf"(?: {_ARM})?(?: one)? (?P<other>{_LENGTH})(?!\w)(?: {_ARM})?"
 )
+_EACH_BEHIND = re.compile(
+    rf"(?<!\w)(?:with )?one {_ARM}(?: is)?(?: that is)? (?P<length>{_LENGTH}),?(?: and)?"
+    rf" (?:one|the other)(?: {_ARM})?(?: one)?(?: is)? (?P<other>{_LENGTH})(?!\w)"
+)
 _STRAP = re.compile(
     r"(?<!\w)(?:(?:one|a single|single|only one) (?:shoulder )?strap"
     r"(?: only)?,? (?:on|over|at) (?:the |my )?(?P<side>left|right)(?: side| shoulder)?(?!\w))"
@@ -87,7 +91,7 @@ def _found(text: str) -> Iterator[tuple[Claim, tuple[int, int]]]:
     for pattern in (_BEHIND, _BEFORE):
         for match in pattern.finditer(text):
             yield Claim(f"{match['side']}_sleeve", _LENGTHS[match["length"]]), match.span()
-    for match in _EACH.finditer(text):
+    for match in (*_EACH.finditer(text), *_EACH_BEHIND.finditer(text)):
         if not re.search(rf"(?:sleeves?|arms?|{_ARM})(?!\w)", text):
             continue
         for side, said in (("left", match["length"]), ("right", match["other"])):
