@@ -183,3 +183,26 @@ def test_of_legs_that_end_above_the_thigh_no_shape_is_said():
     short = replace(facts, trousers=replace(facts.trousers, thigh=0.0))
     assert {c.value for c in claims_of(facts) if c.name == "legs"} == {"tapered"}
     assert not [c for c in claims_of(short) if c.name == "legs"]
+
+
+@pytest.mark.parametrize(
+    ("options", "skirt", "hips"),
+    [
+        (
+            {"length": 60.0, "stretch": 10.0, "chest_ease": 2.0, "waist_shaping": 4.0, "flare": 0.0},
+            "pencil",
+            "close",
+        ),
+        ({"length": 66.0, "flare": 2.0}, "straight", None),
+        ({"length": 66.0, "flare": 40.0}, "a-line", "loose"),
+    ],
+)
+def test_a_dress_without_a_waist_seam_has_a_skirt_to_speak_of(options, skirt, hips):
+    facts = measure_facts(draft("shift-dress", **options))
+    assert facts.skirt is None and Claim("skirt", skirt) in claims_of(facts)
+    assert hips is None or Claim("hips", hips) in claims_of(facts)
+
+
+def test_of_tops_no_skirt_is_spoken():
+    facts = measure_facts(draft("t-shirt", length=40.0))
+    assert facts.kind == "top" and not {"skirt", "hips"} & {c.name for c in claims_of(facts)}

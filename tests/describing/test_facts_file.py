@@ -22,3 +22,9 @@ def test_other_values_are_noticed():
     values.pop("torso")
     with pytest.raises(KeyError):
         facts_from(values)
+
+
+def test_what_was_kept_before_hips_were_measured_is_read():
+    values = facts_values(measure_facts(draft("shift-dress")))
+    del values["torso"]["hips"]
+    assert facts_from(values).torso.hips is None

@@ -153,6 +153,8 @@ class Torso:
     left_armhole: Armhole | None
     """None on sides with a sleeve and on bare sides."""
     right_armhole: Armhole | None
+    hips: float | None = None
+    """Girth at the height of the hips; None where it ends above, or a skirt or legs hang from it."""
 
 
 @dataclass(frozen=True)

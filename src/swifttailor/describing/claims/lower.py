@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import get_args
 
 from swifttailor.describing.claims.judgement import (
@@ -52,7 +53,45 @@ def _hips(facts: GarmentFacts) -> float | None:
     if facts.hem is None or facts.hem.level > facts.body.hips - 4.0:
         return None
     part = facts.trousers or facts.skirt
+    if part is None and facts.kind == "dress" and facts.torso is not None:
+        return facts.torso.hips
     return part.hips if part else None
+
+
+def _falls_in_one(facts: GarmentFacts) -> bool:
+    """Whether it is a dress without a seam between bodice and skirt that reaches past the hips."""
+    torso = facts.torso
+    return facts.kind == "dress" and facts.skirt is None and torso is not None and torso.hips is not None
+
+
+def _spread_in_one(facts: GarmentFacts) -> float | None:
+    """By how much the hem of a dress without a waist seam is wider than its hips, cm."""
+    if not _falls_in_one(facts) or facts.hem is None or facts.torso is None:
+        return None
+    return facts.hem.length - (facts.torso.hips or 0.0)
+
+
+def _circle_in_one(facts: GarmentFacts) -> float | None:
+    """Part of a full circle that such a dress flares like below the hips."""
+    spread = _spread_in_one(facts)
+    if spread is None or facts.hem is None:
+        return None
+    fall = facts.body.hips - facts.hem.level
+    return spread / (2.0 * math.pi * fall) if fall > _LEAST_FALL_CM else None
+
+
+_LEAST_FALL_CM = 8.0
+_IN_ONE_CLOSE = below(lambda f: f.torso.hips if f.torso else None, lambda f: 1.06 * f.body.hip_girth, 2.0)
+_IN_ONE: dict[str, Predicate] = {
+    "pencil": all_of(_past_hips, _IN_ONE_CLOSE, below(_spread_in_one, 3.0, 3.0)),
+    "narrowing": all_of(_past_hips, below(_spread_in_one, -8.0, 3.0)),
+    "straight": all_of(
+        _past_hips, between(_spread_in_one, -9.0, 9.0, 3.0), between(_circle_in_one, -0.1, 0.1, 0.02)
+    ),
+    "a-line": all_of(above(_spread_in_one, 6.0, 3.0), between(_circle_in_one, 0.06, 0.32, 0.02)),
+    "flared": above(_circle_in_one, 0.26, 0.03),
+}
+"""The same words of dresses without a waist seam, whose skirt begins at the hips."""
 
 
 def _seam(facts: GarmentFacts) -> float | None:
@@ -75,27 +114,36 @@ LOWER_CLAIMS: dict[str, tuple[str, dict[str, Predicate]]] = {
     "skirt": (
         "what the skirt of a skirt or dress is like",
         {
-            "pencil": all_of(
-                _SIMPLE,
-                _past_hips,
-                below("skirt.gather", 1.12, 0.04),
-                _CLOSE_OVER_HIPS,
-                below(_SPREAD, 3.0, 3.0),
+            "pencil": any_of(
+                all_of(
+                    _SIMPLE,
+                    _past_hips,
+                    below("skirt.gather", 1.12, 0.04),
+                    _CLOSE_OVER_HIPS,
+                    below(_SPREAD, 3.0, 3.0),
+                ),
+                _IN_ONE["pencil"],
             ),
-            "narrowing": all_of(_SIMPLE, _past_hips, below(_SPREAD, -8.0, 3.0)),
-            "straight": all_of(
-                _SIMPLE,
-                _past_hips,
-                between(_SPREAD, -9.0, 9.0, 3.0),
-                between("skirt.circle", -0.1, 0.1, 0.02),
+            "narrowing": any_of(all_of(_SIMPLE, _past_hips, below(_SPREAD, -8.0, 3.0)), _IN_ONE["narrowing"]),
+            "straight": any_of(
+                all_of(
+                    _SIMPLE,
+                    _past_hips,
+                    between(_SPREAD, -9.0, 9.0, 3.0),
+                    between("skirt.circle", -0.1, 0.1, 0.02),
+                ),
+                _IN_ONE["straight"],
             ),
-            "a-line": all_of(
-                _SIMPLE,
-                below("skirt.gather", 1.15, 0.05),
-                above(_SPREAD, 6.0, 3.0),
-                between("skirt.circle", 0.06, 0.32, 0.02),
+            "a-line": any_of(
+                all_of(
+                    _SIMPLE,
+                    below("skirt.gather", 1.15, 0.05),
+                    above(_SPREAD, 6.0, 3.0),
+                    between("skirt.circle", 0.06, 0.32, 0.02),
+                ),
+                _IN_ONE["a-line"],
             ),
-            "flared": all_of(_ONE_ROW, above("skirt.circle", 0.26, 0.03)),
+            "flared": any_of(all_of(_ONE_ROW, above("skirt.circle", 0.26, 0.03)), _IN_ONE["flared"]),
             "half circle": _circle(0.38, 0.62),
             "three-quarter circle": _circle(0.62, 0.88),
             "circle": _circle(0.84, 1.3),

@@ -37,6 +37,10 @@ def measure_torso(anatomy: Anatomy, worn: Worn) -> Torso | None:
     if lower_level > anatomy.figure.waist_y - _BELOW_WAIST_CM or underarm < anatomy.figure.waist_y + 3.0:
         waist = lower_edge
     chest = _girth(panels, placed, _BELOW_UNDERARM_CM, winged=winged)
+    hips = None
+    if lower_level < anatomy.figure.hip_y and not any(map(anatomy.has, LOWER_PARTS)):
+        placed_hips = placed - (underarm - anatomy.figure.hip_y)
+        hips = _girth(panels, placed_hips, _AROUND_WAIST_CM, winged=winged)
     left, right = worn.shoulders
     sleeved = {s: bool(anatomy.panels(Part.SLEEVE, side=s) or find_wing(anatomy, s)) for s in _SIDES}
     return Torso(
@@ -52,6 +56,7 @@ def measure_torso(anatomy: Anatomy, worn: Worn) -> Torso | None:
         blouson=worn.lifted,
         left_armhole=measure_armhole(anatomy, "left") if left and not sleeved["left"] else None,
         right_armhole=measure_armhole(anatomy, "right") if right and not sleeved["right"] else None,
+        hips=hips,
     )
 
 
