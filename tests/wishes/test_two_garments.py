@@ -19,7 +19,15 @@ TWO = [
     ("salwar kameez in turquoise cotton", "kameez in turquoise cotton", "salwar in turquoise cotton"),
     ("short-sleeved pyjamas with long legs", "short-sleeved pyjama top", "pyjama bottoms with long legs"),
     ("suit with a pencil skirt", "blazer", "a pencil skirt"),
-    ("a grey suit with a waistcoat", "a grey blazer with a waistcoat", "grey tailored trousers"),
+    ("a grey suit with a waistcoat", "a grey blazer", "grey tailored trousers"),
+    ("suit: jacket, waistcoat and trousers", "jacket", "trousers"),
+    ("pyjama set of camisole and shorts", "camisole", "shorts"),
+    ("white karate suit", "white gi top", "white gi trousers"),
+    ("red lehenga choli", "red choli", "red lehenga"),
+    ("white shirt black trousers", "white shirt", "black trousers"),
+    ("red crop top denim shorts", "red crop top", "denim shorts"),
+    ("chemise blanche pantalon noir", "chemise blanche", "pantalon noir"),
+    ("weißes Hemd schwarze Hose", "weißes Hemd", "schwarze Hose"),
     ("a tunic over leggings", "a tunic", "leggings"),
     ("a long coat over wide trousers", "a long coat", "wide trousers"),
     ("velvet bodysuit and flared trousers", "velvet bodysuit", "velvet flared trousers"),
@@ -61,6 +69,8 @@ ONE = [
     "shirt dress",
     "a dress with a pleated skirt",
     "a top with a skirt part",
+    "a top with a peplum skirt",
+    "blouse trousers",
     "jumpsuit with wide trousers",
     "a jumpsuit with a shirt collar and trousers with pleats",
     "dress with a fitted bodice and a full skirt",
@@ -106,6 +116,19 @@ def test_two_garments_are_told_apart_each_with_its_words(text, upper, lower):
     found = two_garments(text)
     assert found is not None
     assert (found.upper, found.lower) == (upper, lower)
+
+
+@pytest.mark.parametrize(
+    ("text", "besides"),
+    [
+        ("suit: jacket, waistcoat and trousers", ("waistcoat",)),
+        ("three piece suit", ("waistcoat",)),
+        ("jacket, shirt and jeans", ("shirt",)),
+        ("white blouse and black skirt", ()),
+    ],
+)
+def test_what_is_named_besides_the_two_is_told(text, besides):
+    assert two_garments(text).besides == besides
 
 
 @pytest.mark.parametrize("text", ONE)

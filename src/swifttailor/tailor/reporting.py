@@ -230,6 +230,11 @@ def order_notes(answer: Answer, wanted: Wanted) -> list[str]:
     found += [f"Look at the pattern: {oddity}." for oddity in answer.verdict.oddities]
     if order.is_of_two:
         found.append(f'Of the two garments, the {order.part} one: "{one_line(order.words, LONGEST_NOTE)}".')
+        besides = order.outfit.besides if order.outfit else ()
+        if besides:
+            found.append(
+                f"Named besides the two, and not made: {', '.join(besides)}. Ask for each on its own."
+            )
     elif order.part is None and not order.images and order.outfit is not None:
         found.append(ONE_OF_TWO)
     if wanted.text != order.words:

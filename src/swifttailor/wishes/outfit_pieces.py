@@ -6,10 +6,12 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from swifttailor.wishes.outfit_chunks import DETERMINERS, Chunk
+from swifttailor.wishes.outfit_chunks import DETERMINERS, LOOKS, Chunk
 from swifttailor.wishes.outfit_halves import HALVES, Half, half_named
 from swifttailor.wording.lexicon import WordMark, WordReading
 from swifttailor.wording.lexicon.outfits import NamedOutfit, named_outfit
+from swifttailor.wording.lexicon.tokens import words_of
+from swifttailor.wording.lexicon.vocabulary import vocabulary
 
 _MODIFIERS = frozenset(
     "colors shades prints fabrics lengths fits styles occasions sizes degrees polite numbers".split()
@@ -28,12 +30,15 @@ _PLACES = frozenset(
     "layer layers".split()
 )
 """What makes a name of it: a top pocket is no top."""
+_ADJECTIVES_FIRST = ("en", "de", "nl")
+_BESIDES = ("garment", "second", "like")
 _ASIDE = ("theirs", "like")
 _GOES_WELL = re.compile(r"(?<!\w)(?:good|well|nice|nicely|great|best|fine|lovely)\s*$", re.IGNORECASE)
 """Before what joins a garment: that the other is worn with it, as it may be there already."""
 _ONE = re.compile(
     r"(?<!\w)(?:one[- ]pieces?|all[- ]in[- ]one|(?:two |2 )?in (?:one|1)(?! of)|attached|joined|combined"
-    r"|built[- ]in|sewn (?:on|to|together)|looks? like (?:a )?(?:two|2)|faux (?:two|2)"
+    r"|with (?:an? )?(?:\w+ )?peplum skirt|built[- ]in|sewn (?:on|to|together)"
+    r"|looks? like (?:a )?(?:two|2)|faux (?:two|2)"
     r"|only one (?:garment|piece|thing))(?!\w)",
     re.IGNORECASE,
 )
@@ -59,6 +64,8 @@ class Pieces:
     """Names of several at once."""
     two: dict[Half, Piece]
     """The one of each half; one word twice where it names both."""
+    besides: tuple[WordMark, ...] = ()
+    """Further garments, worn over or under one of the two: the waistcoat of a suit."""
 
     @property
     def is_one_name(self) -> bool:
@@ -70,7 +77,10 @@ def names_of(words: WordReading) -> tuple[tuple[WordMark, Half], ...] | None:
     """The garments that are named, each with its half; None where one of them covers both halves."""
     found = []
     for k, mark in enumerate(words.marks):
-        if mark.denied or mark.role not in ("garment", "second", "theirs") or _category(mark) != "garments":
+        if mark.denied or _category(mark) != "garments":
+            continue
+        of_a_set = mark.role in ("part", "like") and any(map(_is_outfit, words.marks))
+        if not of_a_set and mark.role not in ("garment", "second", "theirs"):
             continue
         if named_outfit(mark.word, mark.entries) is not None:
             continue
@@ -78,7 +88,7 @@ def names_of(words: WordReading) -> tuple[tuple[WordMark, Half], ...] | None:
         if after is not None and after.start - mark.end <= 1 and _makes_a_part(after):
             continue
         half = half_named(mark)
-        if half is None and mark.role == "theirs":
+        if half is None and (of_a_set or mark.role == "theirs"):
             continue
         if half is None:
             return None
@@ -102,7 +112,33 @@ def pieces_of(text: str, words: WordReading) -> Pieces | None:
         mark, outfit = meant[0]
         whole: dict[Half, Piece] = {"upper": Piece(mark, outfit.upper), "lower": Piece(mark, outfit.lower)}
         first = whole if _is_beside(outfit, names) else {**whole, **first}
-    return Pieces(names, tuple(sets), first)
+    mine = [piece.mark for piece in first.values()]
+    besides = [
+        m
+        for m in words.marks
+        if _category(m) == "garments" and m.role in _BESIDES and not m.denied and m not in (*mine, *sets)
+    ]
+    besides = [m for m in besides if half_named(m) is not None]
+    return Pieces(names, tuple(sets), first, tuple(besides))
+
+
+def joined_up(text: str, words: WordReading) -> str:
+    """A text of two garments with a comma between them, where none joins them: "white shirt black trousers".
+
+    What stands between two names is of the second, in languages whose adjectives follow of the first.
+    """
+    names = [m for m in words.marks if _category(m) == "garments" and not m.denied and m.role in _BESIDES]
+    if len(names) != len(HALVES) or {half_named(mark) for mark in names} != set(HALVES):
+        return text
+    before, behind = names
+    between = [mark for mark in words.marks if before.end <= mark.start < behind.start]
+    looks = [mark for mark in between if _category(mark) in LOOKS]
+    if not (looks or looks_within(behind)) or any(_category(mark) not in _MODIFIERS for mark in between):
+        return text
+    if re.search(r"[^\w\s-]", text[before.end : behind.start]):
+        return text
+    cut = before.end if words.language in _ADJECTIVES_FIRST else behind.start
+    return f"{text[:cut].rstrip()}, {text[cut:].lstrip()}"
 
 
 def are_asked_for(text: str, pieces: Pieces, chunks: Sequence[Chunk]) -> bool:
@@ -140,6 +176,17 @@ def _may_lead(mark: WordMark) -> bool:
         return not mark.denied
     words = mark.word.lower().replace("’", "'").split()
     return set(words) <= _FILLERS or (not mark.entries and _OWN.isdisjoint(words))
+
+
+def looks_within(mark: WordMark) -> list[tuple[int, int]]:
+    """The cloth that a name begins with: "linen shirt"."""
+    first, _, rest = mark.word.partition(" ")
+    senses = vocabulary("en").find(words_of(first.lower(), "en")) if rest else ()
+    return [(mark.start, mark.start + len(first))] if any(s.entry.category in LOOKS for s in senses) else []
+
+
+def _is_outfit(mark: WordMark) -> bool:
+    return not mark.denied and mark.role not in _ASIDE and named_outfit(mark.word, mark.entries) is not None
 
 
 def _is_several(mark: WordMark) -> bool:

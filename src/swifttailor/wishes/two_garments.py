@@ -14,13 +14,19 @@ from itertools import pairwise
 
 from swifttailor.wishes.outfit_chunks import DETERMINERS, LOOKS, Chunk, bare, chunks_of, is_of_both
 from swifttailor.wishes.outfit_halves import HALVES, Half, half_named, half_told
-from swifttailor.wishes.outfit_pieces import Pieces, are_asked_for, lead, names_of, pieces_of
+from swifttailor.wishes.outfit_pieces import (
+    Pieces,
+    are_asked_for,
+    joined_up,
+    lead,
+    looks_within,
+    names_of,
+    pieces_of,
+)
 from swifttailor.wishes.side_remarks import without_side_remarks
 from swifttailor.wishes.text_as_read import text_as_read
 from swifttailor.wishes.wearer_words import hear_wearer
 from swifttailor.wording.lexicon import WordMark, WordReading, read_words
-from swifttailor.wording.lexicon.tokens import words_of
-from swifttailor.wording.lexicon.vocabulary import vocabulary
 
 _MATCHING = re.compile(
     r"(?<!\w)(?:(?:all |both )?(?:in|of|from|out of) (?:the|a) same "
@@ -31,6 +37,9 @@ _MATCHING = re.compile(
 )
 """What says that one is in the colour and the cloth of the other."""
 _PLUS = re.compile(r"(?<=[^\W\d_])(?:\s*[&+]\s*|\s+w/\s*)(?=[^\W\d_])")
+_SUIT_OF = re.compile(r"(?<!\w)(suits?|sets?)\s*(?::|=|[-–—](?=\s))\s*", re.IGNORECASE)
+"""What would be read with the word behind it: the jacket of "suit: jacket and trousers" is no suit jacket."""
+_THREE = re.compile(r"(?:three|3)[- ]piece", re.IGNORECASE)
 _BOTH = re.compile(r"(?<!\w)(?:both|beides?|les deux|ambos|ambas)(?!\w)", re.IGNORECASE)
 _ADDED = re.compile(r"\s*(?:,|/|(?:and|plus|und|sowie|et|y|e|ed|en)(?!\w))", re.IGNORECASE)
 _IN = re.compile(r"(?<!\w)(?:in|of|made|from|aus|en|de|con|em)(?!\w)", re.IGNORECASE)
@@ -50,6 +59,8 @@ class TwoGarments:
 
     upper: str
     lower: str
+    besides: tuple[str, ...] = ()
+    """Names of further garments, of which nothing is said in either: of a half one is made."""
 
     def of(self, half: Half) -> str:
         """What is said of the garment on a half of the body."""
@@ -66,6 +77,8 @@ def two_garments(text: str) -> TwoGarments | None:
         text: In any language that is read.
     """
     text = _PLUS.sub(lambda found: " with " if "w" in found[0] else " and ", text)
+    text = _SUIT_OF.sub(r"\1, ", text)
+    text = joined_up(text, read_words(text))
     words = read_words(text)
     if pieces_of(text, words) is None:
         if not words.unknown:
@@ -85,7 +98,11 @@ def _parted(text: str, words: WordReading) -> TwoGarments | None:
     if not are_asked_for(text, pieces, chunks):
         return None
     wish = _Outfit(text, words, pieces, chunks)
-    found = TwoGarments(*[bare(wish.said_of(half), words.language) for half in HALVES])
+    said = [bare(wish.said_of(half), words.language) for half in HALVES]
+    besides = [mark.word for mark in pieces.besides]
+    if not besides and any(_THREE.match(mark.word) for mark in pieces.outfits):
+        besides = ["waistcoat"]
+    found = TwoGarments(*said, tuple(besides))
     return found if all(_is_one(found.of(half), half) for half in HALVES) else None
 
 
@@ -131,7 +148,7 @@ class _Outfit:
         return "".join(shown)
 
     def _find_owners(self) -> list[str]:
-        """For each chunk a half, ``both``, or ``none``."""
+        """For each chunk a half, ``both``, ``none``, or ``beside`` where it only names a further garment."""
         owners, now = [], "both"
         for chunk in self._chunks:
             if (own := self._named_in(chunk)) is None:
@@ -144,7 +161,7 @@ class _Outfit:
                     own = "both"
                 else:
                     own = now
-            now = own if own != "none" else now
+            now = own if own not in ("none", "beside") else now
             owners.append(own)
         return owners
 
@@ -153,6 +170,10 @@ class _Outfit:
         if self._pieces.is_one_name and chunk.has(self._pieces.two["upper"].mark):
             return "both"
         halves: set[str] = {half for half, piece in self._pieces.two.items() if chunk.has(piece.mark)}
+        if not halves and any(chunk.has(mark) for mark in self._pieces.besides):
+            details = [m for m in chunk.marks if m not in self._pieces.besides]
+            if all(_category(m) in LOOKS or m.word.lower() in DETERMINERS for m in details):
+                return "beside"
         halves |= {half for mark, half in self._pieces.named if chunk.has(mark)}
         if len(halves) == 1:
             return halves.pop()
@@ -238,7 +259,7 @@ class _Outfit:
             for m in chunk.marks
             if _category(m) in LOOKS and not m.denied and id(m) not in self._of_parts and not self._is_same(m)
         ]
-        return sorted([*found, *_looks_within(mark)])
+        return sorted([*found, *looks_within(mark)])
 
     def _told(self, mark: WordMark) -> Half | None:
         return half_told(mark, self._words.language)
@@ -264,13 +285,6 @@ class _Outfit:
     def _is_determined(self, mark: WordMark) -> bool:
         chunk = next(one for one in self._chunks if one.has(mark))
         return any(not DETERMINERS.isdisjoint(m.word.lower().split()) for m in lead(mark, chunk))
-
-
-def _looks_within(mark: WordMark) -> list[tuple[int, int]]:
-    """The cloth that a name begins with: "linen shirt"."""
-    first, _, rest = mark.word.partition(" ")
-    senses = vocabulary("en").find(words_of(first.lower(), "en")) if rest else ()
-    return [(mark.start, mark.start + len(first))] if any(s.entry.category in LOOKS for s in senses) else []
 
 
 def _category(mark: WordMark) -> str | None:
