@@ -164,3 +164,23 @@ def test_bands_and_dots_are_coloured_without_the_bank_of_motifs(monkeypatch):
         assert np.ptp(one.colors(points)) > 0.5
     with pytest.raises(AssertionError, match="seconds"):
         Motif((black, white), 0).colors(points)
+
+
+def test_bands_of_figures_lie_behind_all_that_lots_decide():
+    """What training draws stays as it was; a band repeats across, and its rows differ."""
+    from swifttailor.render.motifs import (
+        BANDS,
+        FIRST_GRAPHIC,
+        FIRST_MOTIF,
+        GRAPHIC_SIDE,
+        GRAPHICS,
+        SIDE,
+        bank,
+    )
+
+    first = FIRST_MOTIF + BANDS * SIDE**2
+    assert first == FIRST_GRAPHIC + GRAPHICS * GRAPHIC_SIDE**2 and len(bank()) == first + SIDE**2
+    figures = bank()[first:].reshape(SIDE, SIDE)
+    assert set(np.unique(figures)) == {0, 1, 2, 3}
+    assert (figures[:, : SIDE // 2] == figures[:, SIDE // 2 :]).all()
+    assert len(np.unique(figures, axis=0)) > 8

@@ -555,3 +555,19 @@ def test_the_one_dress_that_is_named_stays_one(reader: WishReader) -> None:
         "lolita jsk, bow at the waist, skirt as poofy as it gets, pink w strawberries", reader
     )
     assert heard.kind == "dress"
+
+
+@pytest.mark.parametrize(
+    ("text", "slits"),
+    [
+        ("flowy sundress with a bow at the back", set()),
+        ("prom dress with a corset back", set()),
+        ("skirt with two cuts on the side", {"left", "right"}),
+        ("a straight skirt with a slit at the back", {"back"}),
+    ],
+)
+def test_no_slit_is_guessed_where_no_word_can_mean_one(text, slits, reader: WishReader) -> None:
+    heard = hear_description(text, reader)
+    changes = [wish.change for wish in (*heard.sure, *heard.likely)]
+    claims = [change.claim for change in changes if isinstance(change, Gain)]
+    assert {claim.value for claim in claims if claim.name == "slit"} == slits

@@ -22,6 +22,8 @@ SOFT, CREASES = 0, NOISE_SIDE**2
 FIRST_MOTIF = 2 * NOISE_SIDE**2
 FIRST_GRAPHIC = FIRST_MOTIF + MOTIFS * SIDE**2
 """Where in the bank each begins."""
+BANDS = MOTIFS + GRAPHICS * GRAPHIC_SIDE**2 // SIDE**2
+"""Number of the motif that lies behind the graphics: bands of figures, of which no lots are drawn."""
 
 
 @cache
@@ -29,14 +31,15 @@ def bank() -> Array:
     """All patterns in one row of int16, the same in every process.
 
     Two pictures of noise that repeats (soft blotches; long creases), in steps, mean 0; then motifs of SIDE by
-    SIDE numbers of colours, 0 to 3; then graphics of GRAPHIC_SIDE by GRAPHIC_SIDE: 0 the cloth, or a colour.
+    SIDE numbers of colours, 0 to 3; then graphics of GRAPHIC_SIDE by GRAPHIC_SIDE: 0 the cloth, or a colour;
+    then bands of knitted figures, as large as a motif.
     """
     chance = np.random.default_rng(20_240)
     makers = (_flowers, _leaves, _blotches, _spots, _shapes)
     motifs = [makers[k % len(makers)](chance) for k in range(MOTIFS)]
     graphics = [(_lettering, _badge, _picture)[k % 3](chance) for k in range(GRAPHICS)]
     noise = np.clip(np.round(_noise(chance) * NOISE_STEPS), -32_768, 32_767)
-    return np.concatenate([np.ravel(p).astype(np.int16) for p in (noise, *motifs, *graphics)])
+    return np.concatenate([np.ravel(p).astype(np.int16) for p in (noise, *motifs, *graphics, _bands())])
 
 
 def smooth_noise(chance: np.random.Generator, side: int, slope: float, stretch: float = 1.0) -> Array:
@@ -165,6 +168,28 @@ def _shapes(chance: np.random.Generator) -> Array:
             )[kind]
             picture[inside] = 1 + (row + column) % 2 * int(chance.random() < 0.5)
     return picture
+
+
+def _bands() -> Array:
+    """Bands of knitted figures, one above the other: diamonds, dots, snowflakes and zigzags, in stitches."""
+    stitches = 32
+    y, x = np.mgrid[0:stitches, 0:stitches]
+    picture = np.zeros((stitches, stitches), np.uint8)
+    picture[np.isin(y, (2, 10, 14, 26)) & (x % 2 == 0)] = 3
+    from_middle = np.abs(x % 8 - 4), np.abs(y - 6)
+    diamond = from_middle[0] + from_middle[1]
+    band = np.abs(y - 6) <= 3
+    picture[band & ((diamond == 3) | (diamond == 4))] = 1
+    picture[band & (diamond <= 1)] = 2
+    picture[(y == 12) & (x % 4 != 0)] = 3
+    picture[np.isin(y, (11, 13)) & (x % 4 == 2)] = 3
+    across, up = np.abs(x % 16 - 8), np.abs(y - 20)
+    flake = (across <= 5) & (up <= 5)
+    picture[flake & ((across == up) | (across * up == 0) | ((across + up == 5) & (across * up == 4)))] = 2
+    picture[flake & (across + up == 1)] = 1
+    picture[(across == 8) & (up <= 1)] = 1
+    picture[(y == 28 + np.abs(x % 4 - 2)) | (y == 27 + np.abs(x % 4 - 2))] = 1
+    return np.kron(picture, np.ones((SIDE // stitches, SIDE // stitches), np.uint8))
 
 
 def _lettering(chance: np.random.Generator) -> Array:

@@ -10,6 +10,7 @@ from numba import njit
 from swifttailor.render import cloth_table as _at
 from swifttailor.render.compile_options import FAST
 from swifttailor.render.motifs import (
+    BANDS,
     CREASES,
     FIRST_GRAPHIC,
     FIRST_MOTIF,
@@ -149,7 +150,10 @@ def color_at(u, v, x, y, z, table, layers, bank, out):
             elif kind == 5:
                 share = (_band(i, a * b, a - a * b) + _band(j, a * b, a - a * b)) / 2
             elif kind == 6:
-                first = FIRST_MOTIF + (int(a) % MOTIFS) * SIDE * SIDE
+                number = int(a)
+                if number != BANDS:
+                    number %= MOTIFS
+                first = FIRST_MOTIF + number * SIDE * SIDE
                 color, share = _COLORS + 3 * _cell(bank, first, SIDE, i / b, j / b), 1.0
         elif layer == 1:
             if kind == 5:

@@ -28,6 +28,14 @@ _BARE_BACK_CM, _BARE_WIDENING_CM, _HALTER_FALL_CM = 38.0, 4.0, 18.0
 """How deep it is then, how narrow the shoulders are, and how far the back of a halter falls."""
 _CLOSE_NECKS = frozenset({Claim("neck_depth", "high"), Claim("neckline", "crew")})
 _OTHER_BACKS = frozenset({"back_depth_cm", "collar", "hood"})
+_OF_TOPS = frozenset(
+    {"sleeves", "top_hem", "fit", "length_cm", "chest_cm", "sleeve_shape", "bodice", "straps"}
+)
+"""What makes a top that is bare behind another than a close one to the waist."""
+_SAID_OF_BARE_TOPS = frozenset(
+    {Claim("sleeves", "none"), Claim("fit", "close"), Claim("top_hem", "waist"), Claim("bodice", "darted")}
+)
+_OF_OTHER_TOPS = frozenset({"length", "sleeve_length", "shoulder_extension", "armhole"})
 _HANGS = frozenset(
     {
         Claim("fit", "loose"),
@@ -67,6 +75,8 @@ def bared_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     """
     if draft.name == _STRAPLESS and _OPEN_BACK in claims and _BARE not in claims:
         return _held_behind_the_neck(draft, claims)
+    if draft.name == "t-shirt" and _OPEN_BACK in claims and not _is_otherwise(claims):
+        draft = _bare_top(draft, claims)
     own = dict(draft.options)
     if draft.name in _SCOOPED and _OPEN_BACK in claims and not _is_otherwise(claims):
         bare = {**own, "back_neck_depth": _BARE_BACK_CM}
@@ -91,6 +101,13 @@ def bared_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
         if shapes or long:
             options["skirt_fraction"] = max(shapes, default=_FULL)
     return replace(draft, options=tuple({**options, **own}.items()))
+
+
+def _bare_top(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
+    """A top that is to have no back, and of which little else is said: a close one without sleeves."""
+    told = {claim.name for claim in claims if claim not in _SAID_OF_BARE_TOPS}
+    plain = not {name for name, _ in draft.options} & _OF_OTHER_TOPS
+    return NamedDraft("fitted-top") if plain and not told & _OF_TOPS else draft
 
 
 def _is_otherwise(claims: Sequence[Claim]) -> bool:

@@ -34,7 +34,7 @@ from swifttailor.wishes.long_names import (
 )
 from swifttailor.wishes.mentions import find_mentions
 from swifttailor.wishes.one_arm import of_one_arm, of_two_arms, with_both_arms, without_guessed_length
-from swifttailor.wishes.reader import Wish, WishReader
+from swifttailor.wishes.reader import SURE, Wish, WishReader
 from swifttailor.wishes.refused_looks import refused_frills
 from swifttailor.wishes.sayings_of_wishes import plainly_wished, without_asides
 from swifttailor.wishes.side_remarks import without_side_remarks
@@ -174,7 +174,7 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
         length = "long" if has_sheer_sleeves(words) else "short"
         found = (*found, Wish(Gain(Claim("sleeves", length)), SURENESS["usual"]))
     if words.language == ENGLISH:
-        found = _without_guesses(with_both_arms(text, found), words)
+        found = _without_guesses(text, with_both_arms(text, found), words)
     found = without_opposites(of_two_arms(of_one_arm(without_guessed_length(found, words))), words)
     changes = _changes(found)
     slits = sum(isinstance(c, Gain) and c.claim.name == "slit" for c in changes)
@@ -273,6 +273,8 @@ def _within_names(network: Sequence[Wish], words: WordReading) -> list[Wish]:
 
 
 _BESIDE = re.compile(r"\b(?:something|anything|outfit|with|over|under\w*|like|match\w*|for)\b", re.IGNORECASE)
+_SLITS = re.compile(r"slit|split|vent|\bcuts?\b|slash|open|gap|pleat|walk", re.IGNORECASE)
+"""Words that may mean one."""
 _FEW_WORDS, _NO_STORY = 5, 9
 _NAMES_THINGS = ("garments", "accessories", "generic")
 _WHOLE_KINDS = frozenset({"dress", "jumpsuit", "playsuit"})
@@ -290,10 +292,11 @@ _TOPICS = {
 """What measures speak of in figures."""
 
 
-def _without_guesses(found: Iterable[Wish], words: WordReading) -> tuple[Wish, ...]:
+def _without_guesses(text: str, found: Iterable[Wish], words: WordReading) -> tuple[Wish, ...]:
     """Without what only a network reads and no word of the text can mean.
 
-    Turned-up ends are no bands, and of the hips of tops nothing is said unless a word names them.
+    Turned-up ends are no bands, a bow at the back is no slit there, and of the hips of tops nothing
+    is said unless a word names them.
     """
     lacking = {lack.what for lack in words.lacks}
     implied = {i.claim for i in words.implications}
@@ -305,6 +308,8 @@ def _without_guesses(found: Iterable[Wish], words: WordReading) -> tuple[Wish, .
             if claim.name in ("leg_cuffs", "leg_cuff_cm") and "turn_ups" in lacking:
                 continue
             if claim.name == "hips" and kinds == {"top"}:
+                continue
+            if claim.name == "slit" and wish.certainty < SURE and not (words.unknown or _SLITS.search(text)):
                 continue
         kept.append(wish)
     return tuple(kept)

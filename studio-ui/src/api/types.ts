@@ -240,7 +240,7 @@ export interface Looks {
 
 /** Bands, crossing bands, tartan, dots, or a drawing that repeats. */
 export type PrintKind = "stripes" | "checks" | "plaid" | "dots" | "motif";
-export type PrintMotif = "flowers" | "leaves" | "blotches" | "spots" | "shapes";
+export type PrintMotif = "flowers" | "leaves" | "blotches" | "spots" | "shapes" | "bands";
 /**
  * cm: width and gap of stripes, width of checks, spacing of plaid and dots, radius of dots, repeat of motifs; angle,
  * degrees: 0 runs around the body, 90 down it.

@@ -71,7 +71,7 @@ PartLooks = Annotated[list[PartLook], Field(max_length=64)]
 
 PrintKind = Literal["stripes", "checks", "plaid", "dots", "motif"]
 """Those of `garment.cloth_print`, as what follows."""
-PrintMotif = Literal["flowers", "leaves", "blotches", "spots", "shapes"]
+PrintMotif = Literal["flowers", "leaves", "blotches", "spots", "shapes", "bands"]
 PrintSize = Literal["width", "gap", "spacing", "radius", "repeat", "angle"]
 PrintColors = Annotated[list[Color], Field(min_length=2, max_length=4)]
 

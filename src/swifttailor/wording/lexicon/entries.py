@@ -50,7 +50,7 @@ PRINTS: Mapping[str, tuple[str, ...]] = {
     "motif": ("repeat",),
 }
 """Kinds of prints and their sizes, as `swifttailor.render` names them."""
-MOTIFS = ("flowers", "leaves", "blotches", "spots", "shapes")
+MOTIFS = ("flowers", "leaves", "blotches", "spots", "shapes", "bands")
 _SIZES = ("width", "gap", "angle", "spacing", "radius", "repeat")
 _PRINT_MARKS = (*_SIZES, "motif", "inks")
 _ONE_VALUE = ("part", "cloth", "rgb", "shade", "print", "motif", "negates", "worn", *_SIZES)
