@@ -59,3 +59,7 @@ def test_any_text_is_searched(text):
         assert last <= mention.start < mention.end <= len(text)
         assert 0.0 <= mention.value <= 1e7
         last = mention.end
+
+
+def test_number_words_go_with_short_units():
+    assert [(m.value, m.is_length) for m in find_mentions("two cm longer sleeves")] == [(2.0, True)]

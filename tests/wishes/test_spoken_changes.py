@@ -10,6 +10,7 @@ from swifttailor.describing.claims import Claim
 from swifttailor.describing.differences import Gain, Step
 from swifttailor.wishes.change_parts import PARTS, changes_of
 from swifttailor.wishes.change_words import find_changes, find_parts
+from swifttailor.wishes.spoken_amounts import by_a_bit
 from swifttailor.wishes.spoken_changes import spoken_changes
 from swifttailor.wishes.spoken_clauses import other_than
 from swifttailor.wording.lexicon import read_words
@@ -281,3 +282,17 @@ def test_what_has_one_sleeve_gets_the_other(text):
     so = {Claim("sleeves", "left only"), Claim("sides", "different")}
     assert heard(text, "top", so.__contains__).changes == (gain("sides", "alike"),)
     assert gain("sides", "alike") not in heard(text, "top").changes
+
+
+@pytest.mark.parametrize(
+    ("said", "amount"),
+    [
+        ("shorten it a bit", 5),
+        ("etwas kürzer", 5),
+        ("shorten it", None),
+        ("a bit too long, shorten it", None),
+    ],
+)
+def test_a_bit_is_little(said, amount):
+    assert by_a_bit(said, Step("length", -1)) == Step("length", -1, amount)
+    assert by_a_bit(said, Step("length", -1, 9.0)) == Step("length", -1, 9.0)

@@ -29,6 +29,7 @@ from swifttailor.wishes.one_meaning import in_one_meaning, still_in
 from swifttailor.wishes.one_slit import closed_alone
 from swifttailor.wishes.reader import Wish, WishReader
 from swifttailor.wishes.sayings import plainly
+from swifttailor.wishes.spoken_amounts import by_a_bit
 from swifttailor.wishes.spoken_changes import SpokenChanges, spoken_changes
 from swifttailor.wishes.spoken_clauses import SpokenClause, other_than
 from swifttailor.wishes.spoken_measures import is_of_another, spoken_measures
@@ -257,9 +258,14 @@ def _heard_changes(text: str, reader: WishReader, facts: GarmentFacts | None) ->
     ]
     lacks = tuple([lack for lack in lacks_of(words, changes, measures) if lack.said])
     silent = tuple(dict.fromkeys(not_answered(unread, words)))
+    slight = {
+        change: by_a_bit(text[c.start : c.end].lower(), change)
+        for c in spoken.clauses
+        for change in c.changes
+    }
     return Heard(
         text,
-        tuple(sure),
+        tuple([replace(wish, change=slight.get(wish.change, wish.change)) for wish in sure]),
         tuple(likely),
         never,
         silent,

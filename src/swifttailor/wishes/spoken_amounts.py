@@ -63,6 +63,13 @@ _CHANGED_BEFORE = re.compile(
 )
 """Before a number at the end of a clause, which is in cm: "raise the hem 8"."""
 _NOTHING_BEHIND = re.compile(r"\s*(?:$|[.,;!?)]|please|each|and|then)")
+_A_BIT = re.compile(
+    r"(?<!\w)(?:a (?:(?:little|tiny|wee) )?(?:bit|little|touch|tad|smidge|smidgen|fraction|hint)"
+    r"|slightly|somewhat"
+    r"|(?:ein )?(?:bisschen|wenig)|etwas|un (?:petit )?peu|un poco|un po['’]?|een beetje|um pouco)(?!\w)"
+    r"(?! (?:too|zu|trop|más|more than)(?!\w))"
+)
+"""Said of how much: not of what is a bit too much already."""
 _CAREFUL_CM = 6.0
 """A step of no stated size where something beyond it is refused: "shorter, but not mini"."""
 _NUMBERS = {
@@ -110,6 +117,19 @@ def by_little(change: Change) -> Change:
     if isinstance(change, Step) and change.amount is None:
         return Step(change.quantity, change.direction, _CAREFUL_CM)
     return change
+
+
+def by_a_bit(said: str, change: Change) -> Change:
+    """A step of cm that is to be slight, by a little more than what is seen: "shorten it a bit".
+
+    Args:
+        said: The clause, in lower case.
+        change: That it asks for.
+    """
+    if not isinstance(change, Step) or change.amount is not None or _A_BIT.search(said) is None:
+        return change
+    quantity = QUANTITIES[change.quantity]
+    return Step(change.quantity, change.direction, round(1.5 * quantity.least)) if quantity.in_cm else change
 
 
 def is_target(text: str, mention: Mention) -> bool:
