@@ -76,11 +76,12 @@ demo-drape: $(READY)
 	fi
 	@echo; echo "Made:"; ls demo/*/preview.png demo/*/garment.glb demo/*/pattern.svg
 
+# One thread each: threads of several processes on the same cores wait for each other.
 test: $(READY)  ## run all tests but those of torch, on JOBS processes (2)
-	$(BIN)/python -m pytest -n $(JOBS)
+	OMP_NUM_THREADS=1 $(BIN)/python -m pytest -n $(JOBS)
 
-# One thread each: threads of several processes on the same cores wait for each other. File by file: what one test
-# of a file has trained, others of it look at. The recipes take as long as everything else, and so come first.
+# File by file: what one test of a file has trained, others of it look at. The recipes take as long as everything
+# else, and so come first.
 test-networks: $(NETWORKS_READY)  ## run the tests of torch, on JOBS processes (2)
 	OMP_NUM_THREADS=1 $(NETWORKS_BIN)/python -m pytest -n $(JOBS) --dist loadfile --no-loadscope-reorder --timeout 900 \
 		-m needs_torch tests/training/test_recipes.py tests

@@ -10,6 +10,7 @@ import tomllib
 import warnings
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -67,11 +68,14 @@ class Import:
     for_types: bool
 
 
-def imports() -> Iterator[Import]:
+@cache
+def imports() -> tuple[Import, ...]:
+    found: list[Import] = []
     for path in sorted(ROOT.rglob("*.py")):
         file = path.relative_to(ROOT)
         room = file.parts[0].removesuffix(".py")
-        yield from _imports_of(ast.parse(path.read_text()), str(file), room)
+        found += _imports_of(ast.parse(path.read_text()), str(file), room)
+    return tuple(found)
 
 
 def _imports_of(tree: ast.AST, file: str, room: str, called=False, types=False) -> Iterator[Import]:
@@ -89,7 +93,11 @@ def _imports_of(tree: ast.AST, file: str, room: str, called=False, types=False) 
                 yield Import(file, room, node.module or "", names, called, types)
         else:
             in_function = called or isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef | ast.Lambda)
-            only_types = types or (isinstance(node, ast.If) and ast.unparse(node.test) == "TYPE_CHECKING")
+            only_types = types or (
+                isinstance(node, ast.If)
+                and isinstance(node.test, ast.Name)
+                and node.test.id == "TYPE_CHECKING"
+            )
             yield from _imports_of(node, file, room, in_function, only_types)
 
 

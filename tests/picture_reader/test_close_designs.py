@@ -93,16 +93,18 @@ def test_altogether_is_the_geometric_mean_of_who_tells(seed, names, unlike):
     near = {NUMBER[name]: look(chance) for name in names}
     found = with_close_designs(whole, 1, near, PARAMETERS)
     np.testing.assert_array_equal(found[0], whole[0])
-    of_whole = shares_of(whole[1])
+    of_whole, of_near = shares_of(whole[1]), {k: shares_of(one["designs"][1]) for k, one in near.items()}
+    told_by = {one: told(one, FRONT, asymmetric=unlike) for one in names}
+    altogether = shares_of(found[1])
     for k, name in enumerate(NAMES):
-        tell = [near[NUMBER[one]] for one in names if name in told(one, FRONT, asymmetric=unlike)]
+        tell = [of_near[NUMBER[one]] for one in names if name in told_by[one]]
         values = slice(len(PARAMETERS[k].values))
         expected = of_whole[k, values]
         if tell:
-            logs = np.mean([np.log(shares_of(one["designs"][1])[k, values]) for one in tell], axis=0)
+            logs = np.mean([np.log(shares[k, values]) for shares in tell], axis=0)
             expected = np.exp((1 - DESIGN_SHARE) * np.log(expected) + DESIGN_SHARE * logs)
             expected /= expected.sum()
-        np.testing.assert_allclose(shares_of(found[1])[k, values], expected, atol=1e-7)
+        np.testing.assert_allclose(altogether[k, values], expected, atol=1e-7)
 
 
 def test_a_network_that_reads_no_designs_is_told_of_none():

@@ -120,9 +120,9 @@ def test_drafts_alone_are_refused_where_none_is_named(tailor):
 def test_every_entry_names_drafts_of_its_own_kind():
     named = [entry for entry in all_entries() if entry.drafts]
     assert len(named) > 15
+    for name, options in {(one.name, one.options) for entry in named for one in entry.drafts}:
+        assert draft(name, **dict(options)).panels, f"{name}: {options}"
     for entry in named:
-        for one in entry.drafts:
-            assert draft(one.name, **dict(one.options)).panels, entry.name
         cut_from = entry.kinds | ({"trousers"} if "shorts" in entry.kinds else frozenset())
         cut_from |= {"jumpsuit"} if "playsuit" in entry.kinds else frozenset()
         cut_from |= {"top"} if "tunic" in entry.kinds else frozenset()
