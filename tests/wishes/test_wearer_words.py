@@ -171,3 +171,9 @@ def test_who_asks_for_long_legs_has_them(text, measures):
 )
 def test_shorter_legs_are_the_garments_alone(text):
     assert hear_wearer(text).wearer is None
+
+
+def test_who_wears_it_is_heard_once_however_often_it_is_asked():
+    text = "a linen dress for a woman of 171 cm"
+    assert hear_wearer(text) is hear_wearer(text)
+    assert hear_wearer(text, instruction=True) is not hear_wearer(text)

@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 
 from swifttailor.describing import Claim
 from swifttailor.wording.lexicon import read_words
+from swifttailor.wording.lexicon.marking import find_words
 from swifttailor.wording.lexicon.tokens import tokens_of, words_of
 from swifttailor.wording.lexicon.vocabulary import all_entries, entries_in, vocabulary
 
@@ -368,3 +369,8 @@ def test_a_prom_dress_that_is_not_low_cut_has_shoulders() -> None:
     claims = {f"{i.claim.name}={i.claim.value}" for i in read_words("prom dress, not low cut").implications}
     assert "shoulders=both" in claims
     assert "shoulders=strapless" not in claims
+
+
+def test_the_words_of_a_text_are_found_once_however_often_it_is_read():
+    text = "ein Kleid mit langen Ärmeln"
+    assert find_words(text) is find_words(text)

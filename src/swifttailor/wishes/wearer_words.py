@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 
 from swifttailor.body.size_charts import find_size
 from swifttailor.body.wearer import Wearer
@@ -76,6 +77,7 @@ class HeardWearer:
     """What of the body is otherwise than it is said, for a person."""
 
 
+@lru_cache(maxsize=16)  # each stage of an order asks for it
 def hear_wearer(text: str, *, instruction: bool = False) -> HeardWearer:
     """Takes out of a text what it says of who wears the garment.
 

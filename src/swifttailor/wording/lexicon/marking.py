@@ -54,6 +54,7 @@ class Found(NamedTuple):
     """What stands behind it."""
 
 
+@lru_cache(maxsize=32)
 def find_words(text: str, language: Language | None = None) -> tuple[Language, tuple[Found, ...]]:
     """The words of a text with their meanings, each exactly once and in their order.
 
