@@ -101,6 +101,19 @@ def real_samples() -> Callable[..., Iterator[dict]]:
     return read
 
 
+@pytest.fixture(scope="module")
+def rough_falls() -> Iterator[None]:
+    """Sewn cloth falls in rough steps, a sixth of the usual ones, and is taken wherever it falls to.
+
+    For what is sewn by an untrained network, which comes out crumpled and so falls longest.
+    """
+    with pytest.MonkeyPatch.context() as patched:
+        patched.setattr("swifttailor.draping.relax.SUBSTEPS", 3)
+        patched.setattr("swifttailor.garment_sewer.relaxing.SLIPPED_CM", float("inf"))
+        patched.setattr("swifttailor.garment_sewer.relaxing.MORE_CROSSINGS", float("inf"))
+        yield
+
+
 @pytest.fixture
 def square_pattern() -> Pattern:
     """Two 40 x 60 cm rectangles, front and back, sewn along both sides into a tube around the body."""
