@@ -345,9 +345,9 @@ def test_the_loss_is_least_where_the_reading_is_true():
     from swifttailor.picture_reader.close_ups import WHOLE, told_by
     from swifttailor.picture_reader.network_torch import Reading
     from swifttailor.picture_reader.panel_kinds import PANEL_KINDS
-    from swifttailor.training.picture_batch_torch import Answers
     from swifttailor.training.picture_config import LossWeights
     from swifttailor.training.picture_losses_torch import reading_losses
+    from swifttailor.training.picture_truth_torch import Answers
 
     chance = torch.Generator().manual_seed(0)
     statements, dimensions, panels = (table.shape[1] for table in told_by())

@@ -14,8 +14,8 @@ from swifttailor.picture_reader.labels import VIEW
 from swifttailor.picture_reader.network_torch import Reading
 from swifttailor.picture_reader.panel_kinds import PANEL_KINDS
 from swifttailor.picture_reader.units import NARROWEST, WIDEST
-from swifttailor.training.picture_batch_torch import Answers, OfEach
 from swifttailor.training.picture_config import LossWeights
+from swifttailor.training.picture_truth_torch import Answers, OfEach
 
 _SMALL = ("cuff", "cuff flounce", "leg cuff", "leg cuff flounce", "collar", "waistband", "inset", "tier")
 _KIND_WEIGHTS = [3.0 if kind in _SMALL else 1.0 for kind in PANEL_KINDS]

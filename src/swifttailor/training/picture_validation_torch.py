@@ -17,9 +17,9 @@ from swifttailor.picture_reader.close_ups import WHOLE, sees
 from swifttailor.picture_reader.labels import GUESS
 from swifttailor.picture_reader.network_torch import EyesNetwork, Reading
 from swifttailor.picture_reader.truth import TRUE, UNCLEAR
-from swifttailor.training.picture_batch_torch import TruthTable
 from swifttailor.training.picture_calibration import calibration_error, fit_scales
 from swifttailor.training.picture_config import PictureConfig
+from swifttailor.training.picture_truth_torch import TruthTable
 
 Looks = tuple[tuple[Family, View], ...]
 SHOWN: Looks = (
