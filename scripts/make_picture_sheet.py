@@ -1,10 +1,10 @@
 """Draws a sheet of the pictures that the picture reader learns from.
 
-``python scripts/make_picture_sheet.py SPLIT FILE [--columns 20] [--rows 10] [--size 128]``
+``python scripts/make_picture_sheet.py SPLIT FILE [--columns 20] [--rows 10] [--size 128] [--laid]``
 
 SPLIT is a folder of garments that GarmentSewer has sewn (`swifttailor data build --engine network`). One
 picture in seven is plain, one in five of the studio, the last row of the family that is held out; the others
-show people.
+show people. With ``--laid`` all are of garments that nobody wears.
 """
 
 from __future__ import annotations
@@ -28,6 +28,7 @@ def main() -> None:
     parser.add_argument("--rows", type=int, default=10)
     parser.add_argument("--size", type=int, default=128)
     parser.add_argument("--seed", type=int, default=0)
+    parser.add_argument("--laid", action="store_true")
     options = parser.parse_args()
     bank = PictureBank([options.split])
     bank.prepare(report=print)
@@ -41,6 +42,8 @@ def main() -> None:
             family: Family = "plain" if k % 7 == 0 else "studio" if k % 5 == 0 else "people"
             if row == options.rows - 1 and options.rows > 1:
                 family = "held out"
+            if options.laid:
+                family = "laid"
             number = k % len(bank)
             pictures.append(draw(wardrobe, number, family, VIEWS[k % 3], chance, options.size).pixels)
         rows.append(np.concatenate(pictures, axis=1))
