@@ -49,9 +49,10 @@ class EvaluatePatternMaker:
     data: Annotated[Path | None, tyro.conf.arg(metavar="DIR")] = None
     """Data set, or a split of one, with drapes of these patterns: its renders are the pictures, or pictures
     are drawn of its drapes where it has none."""
-    look: Literal["plain", "seamless", "studio", "people", "held out"] | None = None
+    look: Literal["plain", "seamless", "studio", "people", "held out", "laid"] | None = None
     """Draw the pictures of --data in this look: plain as GarmentCodeData's, the same in one colour without
-    seams, a studio, people anywhere, or people in looks that no picture reader was trained on."""
+    seams, a studio, people anywhere, people in looks that no picture reader was trained on, or laid or hung
+    without anybody in it."""
     view: Literal["front", "back", "free", "both"] = "front"
     """From where they are seen, with --look; both: two pictures of the same person, front and back."""
     edits: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
@@ -208,7 +209,7 @@ class EvaluatePatternMaker:
         from swifttailor.pattern_library.known import SHIPPED as LIBRARY
         from swifttailor.pattern_maker.maker import SHIPPED
         from swifttailor.picture_reader.reader import SHIPPED as EYES
-        from swifttailor.picture_reader.reader import SHIPPED_PLAIN
+        from swifttailor.picture_reader.reader import SHIPPED_LAID, SHIPPED_PLAIN
         from swifttailor.wishes.reader import SHIPPED as READER
         from swifttailor.wishes.reader import SHIPPED_SPOKEN as SPOKEN
 
@@ -223,6 +224,8 @@ class EvaluatePatternMaker:
                 plain = self.plain_reader_weights if own else SHIPPED_PLAIN
                 found["read_from_near_by"] = [file_identity(file) for file in self.close_up_weights]
                 found["plain_read_by"] = [file_identity(file) for file in plain]
+                if not own:
+                    found["laid_read_by"] = file_identity(SHIPPED_LAID)
             if self.source != "writer" and (self.weights is None or self.pattern_library is not None):
                 found["known_from"] = file_identity(self.pattern_library or LIBRARY)
             if self.source in ("both", "designs") and self.weights is None and self.pattern_library is None:

@@ -83,7 +83,7 @@ class EvaluateSystems:
     """Only N patterns, chosen by --seed. A larger N later goes on with the same ones."""
     seed: int = 0
     """Decides which patterns, the words of captions, the pictures, and what is drawn."""
-    look: Literal["plain", "seamless", "studio", "people", "held out"] = "plain"
+    look: Literal["plain", "seamless", "studio", "people", "held out", "laid"] = "plain"
     """How pictures look; see swifttailor evaluate pattern-maker."""
     view: Literal["front", "back", "free", "both"] = "front"
     """From where they are seen."""
@@ -187,12 +187,13 @@ class EvaluateSystems:
         from swifttailor.pattern_library.known import SHIPPED as LIBRARY
         from swifttailor.pattern_maker.maker import SHIPPED as WRITER
         from swifttailor.picture_reader.reader import SHIPPED as EYES
+        from swifttailor.picture_reader.reader import SHIPPED_LAID as LAID
         from swifttailor.picture_reader.reader import SHIPPED_PLAIN as PLAIN
         from swifttailor.wishes.reader import SHIPPED as READER
 
         files = {"writer": WRITER, "sewer": SEWER, "words": READER, "library": LIBRARY, "designs": DESIGNER}
         if self.data is not None:
-            files |= {"pictures": EYES} | {file.stem: file for file in PLAIN}
+            files |= {"pictures": EYES} | {file.stem: file for file in (*PLAIN, LAID)}
         return {name: file_identity(path) for name, path in files.items() if path.is_file()}
 
     def _generator(self, name: str) -> Generator:

@@ -17,7 +17,8 @@ from swifttailor.evaluation.maker.pictures import GarmentPictures
 from swifttailor.evaluation.maker.questions import seed_of
 from swifttailor.evaluation.pictures.visible import PICTURE_SIZE, ShownFrom
 
-LOOKS: tuple[Family, ...] = tuple(f for f in get_args(Family) if f not in ("nothing", "several", "unlike"))
+_NOTHING_ASKED = ("photograph", "nothing", "several", "unlike", "worn")
+LOOKS: tuple[Family, ...] = tuple(f for f in get_args(Family) if f not in _NOTHING_ASKED)
 _SIDES: dict[str, tuple[View, ...]] = {
     "front": ("front",),
     "back": ("back",),
