@@ -6,7 +6,7 @@ import pytest
 
 from swifttailor.cli.picture_reader_files import chosen_reader
 from swifttailor.errors import InputError
-from swifttailor.picture_reader.reader import SHIPPED, SHIPPED_PLAIN, PictureReader
+from swifttailor.picture_reader.reader import SHIPPED, SHIPPED_LAID, SHIPPED_PLAIN, PictureReader
 
 
 def test_without_files_of_ones_own_those_of_the_package_are_left_to_open():
@@ -14,11 +14,16 @@ def test_without_files_of_ones_own_those_of_the_package_are_left_to_open():
 
 
 @pytest.mark.parametrize(
-    ("option", "files"), [("--close-up-weights", {"close_ups": 1}), ("--plain-reader-weights", {"plain": 1})]
+    ("option", "more"),
+    [
+        ("--close-up-weights", {"close_ups": ["mine.onnx"]}),
+        ("--plain-reader-weights", {"plain": ["mine.onnx"]}),
+        ("--laid-reader-weights", {"laid": "mine.onnx"}),
+    ],
 )
-def test_details_need_a_reader_of_the_whole(option, files, tmp_path):
-    given = {"close_ups": [], "plain": []} | {name: [tmp_path / "mine.onnx"] for name in files}
-    with pytest.raises(InputError, match=rf"{option} '.*mine\.onnx' goes with .*--picture-reader-weights"):
+def test_details_need_a_reader_of_the_whole(option, more):
+    given = {"close_ups": [], "plain": []} | more
+    with pytest.raises(InputError, match=rf"{option} 'mine\.onnx' goes with .*--picture-reader-weights"):
         chosen_reader(None, **given)
 
 
@@ -28,10 +33,13 @@ def test_a_damaged_reader_of_plain_pictures_is_refused_at_once(tmp_path):
     damaged.write_bytes(b"no model")
     with pytest.raises(InputError, match=r"damaged\.onnx"):
         chosen_reader(SHIPPED, [], [damaged])
+    with pytest.raises(InputError, match=r"damaged\.onnx"):
+        chosen_reader(SHIPPED, [], [], damaged)
 
 
 @pytest.mark.skipif(not SHIPPED.exists(), reason="the package has no picture reader")
 def test_all_files_of_the_package_may_be_named(tmp_path):
-    reader = chosen_reader(SHIPPED, [], SHIPPED_PLAIN)
-    assert isinstance(reader, PictureReader) and reader.plain is not None
+    reader = chosen_reader(SHIPPED, [], SHIPPED_PLAIN, SHIPPED_LAID)
+    assert isinstance(reader, PictureReader) and reader.plain is not None and reader.laid is not None
+    assert reader.laid().card["config"]["laid"] > 0
     assert reader.plain().card == PictureReader.load(SHIPPED_PLAIN[0]).card
