@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from swifttailor.cli.generate import Generate
+    from swifttailor.tailor.looking import SeenPicture
 
 READING = "reading.json"
 
@@ -49,9 +50,7 @@ def read_pictures(asked: Generate) -> int:
     if asked.json:
         sys.stdout.write(json.dumps(told, indent=2) + "\n")
         return 0 if seen else 1
-    lines = [
-        f"{one.name}: seen from the {one.reading.face}; people: {one.reading.figures}" for one in pictures
-    ]
+    lines = [_picture_line(one) for one in pictures]
     for name in seen:
         part = together([next(p for p in one.reading.parts if p.part == name) for one in pictures])
         lines.append(f"{name} ({part.certainty:.0%}):")
@@ -71,3 +70,10 @@ def read_pictures(asked: Generate) -> int:
     lines.append(f"Wrote {asked.folder / SEEN} and {asked.folder / READING}.")
     print("\n".join(lines))  # noqa: T201
     return 0 if seen else 1
+
+
+def _picture_line(one: SeenPicture) -> str:
+    read = one.reading
+    if read.is_laid:
+        return f"{one.name}: worn by nobody, its {read.face} to be seen"
+    return f"{one.name}: seen from the {read.face}; people: {read.figures}"

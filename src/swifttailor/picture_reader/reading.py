@@ -112,6 +112,11 @@ class PictureReading:
         facing = float(np.cos(np.deg2rad(self.camera.azimuth)))
         return "front" if facing > _FRONTAL else "back" if facing < -_FRONTAL else "side"
 
+    @property
+    def shown(self) -> str:
+        """Which side is seen, in words, and where nobody wears it that, too."""
+        return f"{self.face}, worn by nobody" if self.is_laid else self.face
+
     def to_json(self) -> dict[str, Any]:
         """For a report."""
         return {

@@ -319,7 +319,7 @@ def _read_line(wanted: Wanted) -> str:
     from swifttailor.wording.wish_lines import wish_line
 
     assert wanted.part is not None
-    sides = " and ".join(one.reading.face for one in wanted.pictures)
+    sides = " and ".join(one.reading.shown for one in wanted.pictures)
     said = "; ".join(f"{wish_line(w.change)} ({w.certainty:.0%})" for w in wanted.seen)
     return f"Read in the picture ({sides}, {wanted.part.part} garment): {said or 'nothing for certain'}."
 
