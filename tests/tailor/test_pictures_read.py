@@ -153,6 +153,41 @@ def test_what_words_and_picture_agree_on_is_not_overruled():
     assert not_overruled([hem, no_slit], [Wish(Gain(Claim("kind", "trousers")), 0.9)]) == ((), (hem,))
 
 
+TWO_COLORS = np.zeros((90, 60, 3), np.uint8)
+TWO_COLORS[:27], TWO_COLORS[27:45], TWO_COLORS[45:] = (123, 19, 32), (31, 42, 68), 240
+"""A picture that is dark red where `TROUSERS` are seen, navy as well where `SHIRT` is, and white."""
+
+
+def test_a_garment_has_the_colour_that_its_cloth_has_in_the_picture(sewer):
+    seen = tailor(sewer, (SHIRT, TROUSERS)).look(TWO_COLORS)
+    made = tailor(sewer, pattern="trousers").generate(image=seen, part="lower")
+    assert made.garment.color == made.report["color"] == "#7b1320"
+    assert "Seen in the picture: dark red (#7b1320)." in made.notes
+    assert made.report["pictures"]["color"]["name"] == "dark red"
+    upper = tailor(sewer).generate("with long sleeves", seen, part="upper")
+    assert upper.garment.color == "#7b1320"
+    assert any("more than one colour (navy)" in note for note in upper.notes)
+
+
+@pytest.mark.parametrize("text", ["a green top", "a striped top", "a top in denim", "a top, not red"])
+def test_words_outrank_the_colour_of_the_picture(sewer, text):
+    made = tailor(sewer, (TROUSERS, SHIRT)).generate(text, TWO_COLORS, part="upper")
+    assert made.garment.color != "#7b1320" and made.report["pictures"]["color"] is None
+    assert not any("Seen in the picture" in note for note in made.notes)
+
+
+def test_the_colour_of_a_picture_is_surer_than_what_a_name_implies(sewer):
+    wanted = tailor(sewer, (TROUSERS,)).read(Order("jeans", TWO_COLORS))
+    assert wanted.heard.color == "#3b5578" and wanted.color == "#7b1320"
+
+
+def test_the_colours_of_plain_pictures_mean_nothing_and_of_two_pictures_the_first_counts(sewer):
+    plain = Tailor(scripted_maker([]), sewer, picture_reader=Seeing((TROUSERS,), is_plain=True))
+    assert plain.read(Order(image=TWO_COLORS)).color is None
+    wanted = tailor(sewer, (TROUSERS,)).read(Order(image=(TWO_COLORS, TWO_COLORS[::-1])))
+    assert wanted.color == "#7b1320"
+
+
 @pytest.fixture
 def shown(monkeypatch, sewer, tmp_path):
     """The command line with eyes that see a shirt above trousers, and a picture for it."""
@@ -181,6 +216,7 @@ def test_reading_alone_makes_nothing(shown, tmp_path, capsys):
     assert run([*shown, "--read"]) == 0
     printed = capsys.readouterr().out
     assert "how long both sleeves are: long (95%)" in printed and "lower (97%)" in printed
+    assert printed.count("  colour: ") == 2
     assert sorted(p.name for p in (tmp_path / "out").iterdir()) == [
         ".swifttailor",
         "reading.json",
@@ -188,6 +224,7 @@ def test_reading_alone_makes_nothing(shown, tmp_path, capsys):
     ]
     (told,) = json.loads((tmp_path / "out" / "reading.json").read_text())
     assert told["file"] == "photo.png" and [p["part"] for p in told["parts"]] == ["upper", "lower"]
+    assert all(part["color"]["rgb"].startswith("#") for part in told["parts"])
     assert all("design" not in part for part in told["parts"]), "of a reader that reads none"
 
 

@@ -30,6 +30,7 @@ def read_pictures(asked: Generate) -> int:
     from swifttailor.picture_reader.together import together
     from swifttailor.render.png import encode_png
     from swifttailor.tailor.looking import parts_seen
+    from swifttailor.tailor.picture_color import color_line, color_report, color_seen
     from swifttailor.tailor.seen_sheet import draw_seen
     from swifttailor.wording.wish_lines import claim_line
 
@@ -41,6 +42,8 @@ def read_pictures(asked: Generate) -> int:
         told: list[dict[str, Any]] = [{"file": one.name} | one.reading.to_json() for one in pictures]
         for about, one in zip(told, pictures, strict=True):
             for part, read in zip(about["parts"], one.reading.parts, strict=True):
+                color = color_seen(one, read.part)
+                part["color"] = None if color is None else color_report(color)
                 if read.design is not None:
                     part["design"] = [parameter.to_json() for parameter in told_design(read.design)]
         with output.fill() as folder:
@@ -54,6 +57,9 @@ def read_pictures(asked: Generate) -> int:
     for name in seen:
         part = together([next(p for p in one.reading.parts if p.part == name) for one in pictures])
         lines.append(f"{name} ({part.certainty:.0%}):")
+        color = color_seen(pictures[0], name)
+        if color is not None:
+            lines.append(f"  colour: {color_line(color)}")
         lines += [
             f"  {claim_line(s.claim)} ({s.certainty:.0%})" for s in part.statements if s.certainty >= TOLD
         ]

@@ -26,6 +26,7 @@ from swifttailor.pattern_maker.asking.scripts import says_something
 from swifttailor.pattern_maker.maker import Request
 from swifttailor.pattern_maker.panel_foresight import PanelForesight
 from swifttailor.picture_reader.reading import PartReading
+from swifttailor.picture_reader.seen_color import SeenColor
 from swifttailor.recutting.alter import Alteration, alter
 from swifttailor.recutting.nearer import towards
 from swifttailor.recutting.one_sided import asks_for_one_side
@@ -33,6 +34,7 @@ from swifttailor.recutting.to_the_figure import to_the_figures
 from swifttailor.render.picture_file import read_picture
 from swifttailor.tailor.looking import ReadsPictures, SeenPicture, look_at, part_wanted
 from swifttailor.tailor.order import NO_READER, Order, one_line
+from swifttailor.tailor.picture_color import color_taken
 from swifttailor.tailor.seen_wishes import LEAST_CUT, LEAST_CUT_OF_DRAFT, not_overruled, seen_wishes
 from swifttailor.wishes.heard import HEARD_NOTHING, Heard
 from swifttailor.wishes.hearing import hear_description
@@ -103,6 +105,8 @@ class Wanted:
     """Tells of its words which panels the garment may have; None where that is not asked."""
     least_cut: float = LEAST_CUT
     """What the pictures show less surely is not cut."""
+    seen_color: SeenColor | None = None
+    """Of its cloth in the first picture, where words leave it to that."""
     shown: frozenset[Change] = frozenset()
     """What is true to the eye of the draft that it begins from, though not as it is measured."""
 
@@ -134,7 +138,9 @@ class Wanted:
 
     @property
     def color(self) -> str | None:
-        """The one asked for, or that of the garment that it is made from; None where neither is."""
+        """The one asked for, seen, or that of the garment that it is made from; None where none is."""
+        if self.seen_color is not None:
+            return self.seen_color.rgb
         order = self.order
         kept = order.color or cloth_color(order.edit) if order.edit is not None else None
         return self.heard.color or kept
@@ -309,21 +315,13 @@ def _read_order(order: Order, reader: WishReader | None, eyes: ReadsPictures | N
             raise
         doubt = (str(error),)
         return Wanted(order, text, None, sure, likely, pictures=pictures, warnings=doubt, heard=heard)
-    kept, overruled = not_overruled(seen_wishes(part), (*sure, *likely))
+    kept, gone = not_overruled(seen_wishes(part), (*sure, *likely))
     image, notes = _shown(pictures[0], order.crop)
+    sure = (*sure, *(w for w in kept if w.certainty >= SURE))
+    likely = (*likely, *(w for w in kept if w.certainty < SURE))
+    doubts, color = _doubts(pictures), color_taken(pictures[0], part.part, heard)
     return Wanted(
-        order,
-        text,
-        image,
-        (*sure, *(w for w in kept if w.certainty >= SURE)),
-        (*likely, *(w for w in kept if w.certainty < SURE)),
-        notes,
-        pictures,
-        part,
-        kept,
-        overruled,
-        _doubts(pictures),
-        heard,
+        order, text, image, sure, likely, notes, pictures, part, kept, gone, doubts, heard, seen_color=color
     )
 
 

@@ -19,6 +19,7 @@ from swifttailor.tailor.answer import Answer
 from swifttailor.tailor.fabric_asked import fabric_unmet, fabric_warning
 from swifttailor.tailor.heard_notes import heard_notes, heard_report
 from swifttailor.tailor.order import one_line
+from swifttailor.tailor.picture_color import color_line, color_report
 from swifttailor.tailor.provenance import versions, weights
 
 if TYPE_CHECKING:
@@ -177,6 +178,7 @@ def _pictures(wanted: Wanted) -> dict[str, Any]:
     return {
         "read": [{"name": one.name} | one.reading.to_json() for one in wanted.pictures],
         "part": None if wanted.part is None else wanted.part.part,
+        "color": None if wanted.seen_color is None else color_report(wanted.seen_color),
         "likely": lines([w for w in wanted.likely if w in wanted.seen]),
         "overruled_by_text": lines(wanted.overruled),
     }
@@ -217,6 +219,8 @@ def order_notes(answer: Answer, wanted: Wanted) -> list[str]:
     found += trim_notes(answer)
     if wanted.part is not None:
         found.append(_read_line(wanted))
+    if wanted.seen_color is not None:
+        found.append(f"Seen in the picture: {color_line(wanted.seen_color)}.")
     if answer.not_followed:
         said = "; ".join(wish_line(w.change) for w in answer.not_followed)
         found.append(f"The rest of the picture spoke against this, and the draft has it otherwise: {said}.")

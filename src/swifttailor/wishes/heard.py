@@ -5,10 +5,13 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from functools import cached_property
 
+import numpy as np
+
 from swifttailor.describing.claims import Claim
 from swifttailor.describing.differences import Change, Gain
 from swifttailor.garment.cloth_print import ClothPrint
 from swifttailor.pattern.drafts.draft_names import ARMHOLES, NamedDraft
+from swifttailor.render.lab import lab_of_hex
 from swifttailor.wishes.flecks import is_flecked
 from swifttailor.wishes.heard_drafts import drafts_of
 from swifttailor.wishes.heard_looks import NO_LOOKS, HeardLooks, heard_looks
@@ -32,6 +35,8 @@ _COLOR_OF_CLOTH = {"denim": "3b5578"}
 _BLUE = "365c96"
 _ALIKE = 32
 """So far apart at most are red, green and blue, of 255, of colours that are called the same."""
+_NEAR = 30.0
+"""The same of a colour that was seen, in Lab: "red" is dark red and scarlet as well."""
 
 
 @dataclass(frozen=True)
@@ -79,6 +84,17 @@ class Heard:
         if rgb is None or (dyed is not None and rgb == _BLUE):
             rgb = dyed or rgb
         return None if rgb is None else f"#{rgb}"
+
+    @property
+    def says_color(self) -> bool:
+        """Whether it names a colour, a print or dyed cloth; names of garments only imply a colour."""
+        words = self.words
+        dyed = words is not None and not _COLOR_OF_CLOTH.keys().isdisjoint(words.cloths)
+        return words is not None and bool(words.colors or dyed or self.print is not None)
+
+    def refuses_color(self, color: str) -> bool:
+        """Whether it denies a colour, ``#rrggbb``, or one that is called the same: "not red"."""
+        return any(np.linalg.norm(lab_of_hex(color) - lab_of_hex(one)) < _NEAR for one in self._denied_colors)
 
     @cached_property
     def print(self) -> ClothPrint | None:
@@ -147,11 +163,14 @@ class Heard:
         return [color for _, color in sorted(found, key=lambda each: each[0])]
 
     @property
+    def _denied_colors(self) -> list[str]:
+        marks = () if self.words is None else self.words.marks
+        return [e.color for mark in marks if mark.denied for e in mark.entries if e.color is not None]
+
+    @property
     def _unwanted_colors(self) -> frozenset[str]:
         """Colours that it refuses, and such as look like them: a dress for a wedding that is not white."""
-        marks = () if self.words is None else self.words.marks
-        denied = [e.color for mark in marks if mark.denied for e in mark.entries if e.color is not None]
-        known = self._implied_colors
+        denied, known = self._denied_colors, self._implied_colors
         alike = [one for one in known for other in denied if _alike(one, other)]
         return frozenset([*denied, *alike])
 
