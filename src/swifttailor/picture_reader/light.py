@@ -14,6 +14,8 @@ _CHROMA = 15.0
 """What is more colourful is coloured, and not white in warm light: floors of wood are."""
 _LEAST = 0.05
 """Share of the picture, or of the garment, that has to be nearly white."""
+_WHITER = 3.0
+"""By how much less colourful a garment is that is whiter."""
 _MOST = 1.6
 """How much brighter one of red, green and blue becomes at most."""
 
@@ -33,8 +35,9 @@ def under_white_light(linear: Array, mask: Array) -> Array:
     around, worn = white & (mask < 0.1), white & (mask > 0.5)
     if around.mean() < _LEAST:
         return linear
-    if worn.mean() >= _LEAST * (mask > 0.5).mean() and np.median(chroma[worn]) < np.median(chroma[around]):
-        around = worn
+    if worn.mean() >= _LEAST * (mask > 0.5).mean():
+        if np.median(chroma[worn]) < np.median(chroma[around]) - _WHITER:
+            return linear
     around &= chroma <= np.median(chroma[around])
     light = np.median(linear[around], axis=0)
     gains = np.clip(light @ np.array(GREY) / np.maximum(light, 1e-3), 1 / _MOST, _MOST)

@@ -39,7 +39,15 @@ def color_name(rgb: str) -> str:
     Args:
         rgb: sRGB as ``rrggbb``, with or without ``#``.
     """
-    return PLAIN[int(np.linalg.norm(_plain() - lab_of_hex(rgb), axis=1).argmin())]
+    known, (lightness, red, yellow) = _plain(), lab_of_hex(rgb)
+    strong, own = np.hypot(known[:, 1], known[:, 2]), np.hypot(red, yellow)
+    away = (known[:, 1] - red) ** 2 + (known[:, 2] - yellow) ** 2
+    hue = np.maximum(away - (strong - own) ** 2, 0.0)
+    # CIE94: what is strong in colour may be stronger still, and what is grey is soon something else.
+    both = np.sqrt(strong * own)
+    apart = (known[:, 0] - lightness) ** 2 + ((strong - own) / (1 + 0.045 * both)) ** 2
+    apart += hue / (1 + 0.015 * both) ** 2
+    return PLAIN[int(apart.argmin())]
 
 
 @cache
