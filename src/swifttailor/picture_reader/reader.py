@@ -80,6 +80,8 @@ KIND = ModelKind(
     ({GRAPH: (INPUTS, OUTPUTS)}, {GRAPH: (INPUTS, (*OUTPUTS, DESIGNS))}),
 )
 LEAST_PRESENT = 0.5
+LEAST_LAID = 0.8
+"""What is less surely a garment that nobody wears is read like others: to take a person for one is worse."""
 LEAST_CERTAINTY = 0.03
 """What is less sure is not told; what is hardly likely still tells known patterns apart."""
 _SCALES = (1.0, 0.87, 1.15)
@@ -208,7 +210,7 @@ class PictureReader:
         whole = ((width - side) // 2, (height - side) // 2, side)
         first = self._look(pixels, whole, None)
         nearer = self._looking_nearer(pixels, whole)
-        if nearer is self and self.laid is not None and self.laid()._knows(pixels, whole):
+        if nearer is self and self.laid is not None and self.laid()._knows(pixels, whole, LEAST_LAID):
             return replace(self.laid().read(pixels), is_laid=True)
         seen: dict[int, tuple[Square, dict[str, Any]]] = {}
         waiting = [(k, whole, first) for k in _present(first)]
@@ -233,9 +235,9 @@ class PictureReader:
                 return plain
         return self
 
-    def _knows(self, pixels: Pixels, whole: Square) -> bool:
+    def _knows(self, pixels: Pixels, whole: Square, least: float = 0.5) -> bool:
         """Whether a picture shows one person, or one garment, as far as this network knows what that is."""
-        return int(self._look(pixels, whole, None)["figures"].argmax()) == FIGURES.index("one")
+        return bool(_certainties(self._look(pixels, whole, None)["figures"])[FIGURES.index("one")] > least)
 
     def _nearer(
         self,
@@ -303,8 +305,7 @@ class PictureReader:
         if parts:
             square, answers = seen[PARTS.index(parts[0].part)]
             view = answers["camera_view"]
-        raised = np.exp(first["figures"].astype(np.float64) - first["figures"].max())
-        figures = raised / raised.sum()
+        figures = _certainties(first["figures"])
         return PictureReading(
             tuple(parts),
             camera_of(view),
@@ -337,6 +338,12 @@ class PictureReader:
             ),
             SeenDesign.of_logits(parameters, answers[DESIGNS][number]) if parameters else None,
         )
+
+
+def _certainties(logits: NDArray[Any]) -> NDArray[np.float64]:
+    """Of things of which one is so."""
+    raised = np.exp(logits.astype(np.float64) - logits.max())
+    return raised / raised.sum()
 
 
 def _present(answers: dict[str, Any]) -> list[int]:
