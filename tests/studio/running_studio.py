@@ -16,6 +16,7 @@ from typing import Any
 import httpx
 
 TIMEOUT = 120.0
+COLD = Path(__file__).with_name("cold_studio.py")
 
 
 @dataclass
@@ -36,10 +37,16 @@ class RunningStudio:
         return self.process.wait(30)
 
 
-def start_studio(projects: Path, *options: str) -> RunningStudio:
-    """Starts a server on a free port and waits until it says where it is."""
-    command = [sys.executable, "-m", "swifttailor", "studio", "--no-open", "--port", "0"]
-    command += ["--projects", str(projects), *options]
+def start_studio(projects: Path, *options: str, cold: bool = False) -> RunningStudio:
+    """Starts a server on a free port and waits until it says where it is.
+
+    Args:
+        projects: Folder of the projects.
+        options: Of the command line.
+        cold: Whether its networks are loaded only once they are needed.
+    """
+    command = [sys.executable, str(COLD)] if cold else [sys.executable, "-m", "swifttailor"]
+    command += ["studio", "--no-open", "--port", "0", "--projects", str(projects), *options]
     process = subprocess.Popen(
         command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, env=os.environ
     )

@@ -35,7 +35,7 @@ def save_on_and_on(running, project, content, saved, stop):
 @pytest.mark.parametrize("seconds", [0.4, 2.3])
 def test_kill_9_loses_no_saved_project(tmp_path, seconds):
     projects = tmp_path / "projects"
-    running = start_studio(projects)
+    running = start_studio(projects, cold=True)
     with running.client() as client:
         dress = client.get("/api/examples/pencil-skirt").json()
         content = content_of(dress)
@@ -57,7 +57,7 @@ def test_kill_9_loses_no_saved_project(tmp_path, seconds):
     assert not alive, "workers outlive a server that was killed"
     folder = projects / project["folder"]
     read_pattern_file(folder / "pattern.json")
-    again = start_studio(projects)
+    again = start_studio(projects, cold=True)
     try:
         with again.client() as client:
             found = client.get(f"/api/projects/{project['id']}").json()
@@ -72,7 +72,7 @@ def test_kill_9_loses_no_saved_project(tmp_path, seconds):
 
 
 def test_an_interrupt_ends_everything_and_says_nothing_bad(tmp_path):
-    running = start_studio(tmp_path / "projects")
+    running = start_studio(tmp_path / "projects", cold=True)
     with running.client() as client:
         client.get("/api/state")
     workers = psutil.Process(running.process.pid).children(recursive=True)
@@ -83,7 +83,7 @@ def test_an_interrupt_ends_everything_and_says_nothing_bad(tmp_path):
 
 
 def test_a_worker_that_is_killed_is_replaced(tmp_path):
-    running = start_studio(tmp_path / "projects")
+    running = start_studio(tmp_path / "projects", cold=True)
     try:
         wait_until_ready(running)
         with running.client() as client:
@@ -118,7 +118,7 @@ def test_a_worker_that_is_killed_is_replaced(tmp_path):
 
 
 def test_other_addresses_than_loopback_need_the_token(tmp_path):
-    running = start_studio(tmp_path / "projects", "--host", "0.0.0.0")
+    running = start_studio(tmp_path / "projects", "--host", "0.0.0.0", cold=True)
     try:
         assert running.token and len(running.token) >= 24
         address = f"http://127.0.0.1:{running.address.rpartition(':')[2]}"
