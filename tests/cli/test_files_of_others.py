@@ -6,6 +6,7 @@ import json
 import re
 import subprocess
 import sys
+from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
@@ -175,6 +176,14 @@ def test_no_kind_of_file_is_left_out():
     lists = {".jsonl", ".jsonl.gz"}  # tests/cli/test_released_outputs.py
     assert written["convert"] == {*PATTERN_ENDINGS, *MESH_ENDINGS} - lists
     assert set(LISTS) == lists
+
+
+@pytest.fixture(scope="module", autouse=True)
+def _quickly_made(rough_falls) -> Iterator[None]:
+    """What matters here is where files go, not what garments and pictures look like."""
+    with pytest.MonkeyPatch.context() as patched:
+        patched.setattr("swifttailor.tailor.tailored.PREVIEW_SIZE", (100, 60))
+        yield
 
 
 @pytest.fixture(scope="module")
