@@ -25,7 +25,7 @@ near() { # name, ninths of the time, settings
     local run=$out/$1 more=()
     [ -f "$run/checkpoint.pt" ] && more+=(--resume)
     OMP_NUM_THREADS=1 swifttailor train picture-reader --data "$sewn/train" --validation "$sewn/validation" \
-        --apart "$sewn/test" --out "$run" --workers 1 --threads 1 --max-minutes $(((minutes * $2 + 8) / 9)) "${more[@]}" \
+        --apart "$sewn/test" --out "$run" --workers "$beside" --threads 1 --max-minutes $(((minutes * $2 + 8) / 9)) "${more[@]}" \
         --set "${both[@]}" "${@:3}"
 }
 step close-plain near plain 3 "${plain[@]}" "${settings[@]}" start="$begin"

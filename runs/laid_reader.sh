@@ -35,7 +35,7 @@ laid() { # name, thirds of the time, settings
     [ -f "$run/checkpoint.pt" ] && again+=(--resume)
     OMP_NUM_THREADS=1 swifttailor train picture-reader --data "$sewn/train" "${more[@]}" --validation "$sewn/validation" \
         --apart "$sewn/test" ${DESIGNS:+--designs "$DESIGNS"} ${PHOTOGRAPHS:+--photographs "${photographs[@]}"} --out "$run" \
-        --workers 1 --threads 1 --max-minutes $(((minutes * $2 + 2) / 3)) "${again[@]}" --set "${values[@]}" "${settings[@]}" "${@:3}"
+        --workers "$beside" --threads 1 --max-minutes $(((minutes * $2 + 2) / 3)) "${again[@]}" --set "${values[@]}" "${settings[@]}" "${@:3}"
 }
 step laid-deep laid deep 1 start="$begin" frozen_stages=3
 step laid-run laid run 2 start="$out/deep/weights.safetensors" frozen_stages=4

@@ -39,11 +39,10 @@ for split in validation test; do
     step "worn-$split" sew --split "$split" --patterns "$work/patterns/$split.jsonl.gz"
 done
 step worn-train sew --split train --patterns "${files[@]}" "${usual[@]}"
-gpu=$("$python" -c "import torch; print(int(torch.cuda.is_available()))")
-drawing=$((cores > 1 ? cores - 1 : 1))
-if [ "$gpu" = 0 ] && [ "$cores" -gt 1 ]; then
+drawing=$((cores > 1 ? cores - 1 : beside))
+if [ "$cores" -gt 1 ] && [ "$("$python" -c "import torch; print(int(torch.cuda.is_available()))")" = 0 ]; then
     launch=("$python" -m torch.distributed.run --standalone --nproc_per_node "$cores" -m swifttailor)
-    drawing=1
+    drawing=$beside
 fi
 given=(--data "$sewn/train" --validation "$sewn/validation" --apart "$sewn/test" --threads 1)
 out=$work/picture-reader

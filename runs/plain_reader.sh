@@ -30,7 +30,7 @@ plain() { # name, eighteenths of the time, settings
     local run=$out/$1 again=()
     [ -f "$run/checkpoint.pt" ] && again+=(--resume)
     OMP_NUM_THREADS=1 swifttailor train picture-reader --data "$sewn/train" "${more[@]}" --validation "$sewn/validation" \
-        --apart "$sewn/test" ${DESIGNS:+--designs "$DESIGNS"} --out "$run" --workers 1 --threads 1 \
+        --apart "$sewn/test" ${DESIGNS:+--designs "$DESIGNS"} --out "$run" --workers "$beside" --threads 1 \
         --max-minutes $(((minutes * $2 + 17) / 18)) "${again[@]}" --set "${both[@]}" "${@:3}"
 }
 exported() { # run, file, options

@@ -16,6 +16,9 @@ rehearse=${REHEARSE:-}
 work=${WORK:-out/training${rehearse:+-rehearsal}}
 python=${PYTHON:-python}
 cores=${CORES:-$(nproc)}
+# Processes that draw pictures beside a training on one core. To start one takes longer than what a rehearsal draws.
+beside=${rehearse:+0}
+beside=${beside:-1}
 # Waiting threads that spin make training many times slower where something else runs as well.
 export OMP_WAIT_POLICY=PASSIVE GOMP_SPINCOUNT=0
 mkdir -p "$work/done"

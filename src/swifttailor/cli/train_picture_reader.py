@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated, Any, ClassVar
 
 import tyro
 
@@ -39,7 +39,8 @@ class TrainPictureReader(Training):
     """Values to change in the configuration, for instance: --set steps=5000 network.image_size=128"""
     cache: tyro.conf.Suppress[Path | None] = None
     workers: Annotated[int, tyro.conf.arg(metavar="N")] = 1
-    """Processes that draw pictures."""
+    """Processes that draw pictures; 0 draws between the steps."""
+    fewest_workers: ClassVar[int] = 0
 
     def run(self) -> int:
         """Trains, prints how it goes, and returns the exit code.

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Annotated, Any, TypeVar
+from typing import Annotated, Any, ClassVar, TypeVar
 
 from swifttailor.cli.option_checks import (
     MAX_WORKERS,
@@ -40,6 +40,7 @@ class Training:
     """Processes that make it."""
     threads: Annotated[int | None, tyro.conf.arg(metavar="N")] = None
     """CPU cores to train on, without a GPU. Default: torch decides."""
+    fewest_workers: ClassVar[int] = 1
 
     def checked_config(self, read_config: Callable[[str, Sequence[str]], Config]) -> Config:
         """The configuration; refuses what cannot work before anything is loaded.
@@ -53,7 +54,7 @@ class Training:
         from swifttailor.training.extra import require_training_packages
 
         require_max_minutes(self.max_minutes)
-        in_range("--workers", self.workers, 1, MAX_WORKERS)
+        in_range("--workers", self.workers, self.fewest_workers, MAX_WORKERS)
         require_threads(self.threads)
         config = read_config(self.config, self.set)
         require_writable_folder(self.out)
