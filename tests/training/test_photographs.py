@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 from PIL import Image
@@ -9,7 +11,7 @@ from PIL import Image
 from swifttailor.data.pictures.bank import PictureBank
 from swifttailor.data.pictures.blocks import Blocks
 from swifttailor.data.pictures.photograph_labels import KINDS
-from swifttailor.data.pictures.photographs import Photographs, kind_truths, split_of
+from swifttailor.data.pictures.photographs import SPLITS, Photographs, kind_truths, split_of
 from swifttailor.errors import InputError
 from swifttailor.picture_reader.figures import FIGURES
 from swifttailor.picture_reader.labels import PARTS, statement_labels
@@ -158,3 +160,27 @@ def test_a_network_is_judged_by_photographs_that_it_has_not_seen(data, folder, t
     assert card["data"]["photographs"]["train"] == len(Photographs([folder], "train"))
     assert set(card["validation"]["by_look"]) == {"laid front", "laid back"}
     assert card["validation"]["near_not_false"] is None
+
+
+def test_any_folder_can_be_laid_out_with_a_label(tmp_path, monkeypatch):
+    import runpy
+    import sys
+
+    some = tmp_path / "some"
+    some.mkdir()
+    Image.new("RGBA", (1200, 30)).save(some / "a person.PNG")
+    (some / "notes.txt").write_text("no picture")
+    out = tmp_path / "out"
+    script = Path(__file__).parents[2] / "scripts/label_photographs.py"
+    monkeypatch.setattr(sys, "argv", ["script", str(some), "--label", "People", "--out", str(out)])
+    runpy.run_path(str(script), run_name="__main__")
+    listed = [one for split in SPLITS for one in _listed_of(out, split)]
+    assert [(one.path.name, one.label, one.kind) for one in listed] == [("a person.jpg", "People", None)]
+    assert listed[0].pixels().shape == (20, 800, 3)
+
+
+def _listed_of(folder, split):
+    try:
+        return Photographs([folder], split).photographs
+    except InputError:
+        return ()
