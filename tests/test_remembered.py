@@ -13,6 +13,7 @@ PACKAGE = Path(swifttailor.__file__).parent
 MAY_GROW = {
     "wording/claim_marks.py:_claim": "marks are those of the package's tables",
     "describing/facts_file.py:_hints": "classes of facts",
+    "describing/facts_file.py:_later": "classes of facts",
 }
 """Unbounded caches of functions with arguments, and why there are few of these."""
 

@@ -204,7 +204,7 @@ def test_pictures_in_one_look_show_the_same_person_from_both_sides(data):
     assert not np.array_equal(other, pictures[0]), "the seed decides the rest"
     assert both.drawn == ("validation",) and "trousers" not in both
     assert both.identity() == {"look": "people", "view": "both", "size": 800}
-    with pytest.raises(InputError, match="plain, seamless, studio, people, held out and front"):
+    with pytest.raises(InputError, match="plain, seamless, studio, people, held out, laid and front"):
         LookPictures(data, 5, "several", "front")
 
 

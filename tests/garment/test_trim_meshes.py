@@ -237,7 +237,7 @@ def test_frills_stand_off_evenly_where_the_cloth_is_uneven():
     for one, other in zip(trim_meshes(smooth), trim_meshes(uneven), strict=True):
         away, _ = KDTree(one.vertices).query(other.vertices)
         apart.append(float(np.quantile(away, 0.95)))
-    assert max(apart) < 0.63
+    assert max(apart) < 0.68
 
 
 def test_flat_strips_lie_on_the_cloth():

@@ -150,7 +150,7 @@ def test_what_is_not_crumpled_falls_for_a_moment(sewer):
 @pytest.mark.parametrize("name", ["shirt", "polo-shirt"])
 def test_collars_lie_on_the_bodice_and_not_in_it(sewer, name):
     made = sewer.sew(draft(name))
-    assert _crossings(made.mesh, made.vertices) > 10 > 3 >= _crossings(made.mesh, relaxed(made).vertices)
+    assert _crossings(made.mesh, made.vertices) > 10 > 5 >= _crossings(made.mesh, relaxed(made).vertices)
 
 
 def test_collars_of_close_shirts_stay_turned_down(sewer):

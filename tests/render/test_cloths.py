@@ -12,7 +12,7 @@ from scenes import sheet
 from swifttailor.errors import InputError
 from swifttailor.render import Camera, Checks, Dots, Plain, Stripes, Surface, render_view
 from swifttailor.render.cloths import Block, Cloth, Fade, Folds, Graphic, Mark, Wear, Weave
-from swifttailor.render.motifs import FIRST_GRAPHIC, FIRST_MOTIF, GRAPHIC_SIDE, SIDE, bank
+from swifttailor.render.motifs import FIRST_GRAPHIC, FIRST_MOTIF, GRAPHIC_SIDE, GRAPHICS, SIDE, bank
 from swifttailor.render.prints import Motif, Plaid
 from swifttailor.render.view import render_seen
 
@@ -70,7 +70,7 @@ def test_a_bank_has_motifs_that_are_more_than_one_colour():
     side = bank()[FIRST_MOTIF:FIRST_GRAPHIC].reshape(-1, SIDE**2)
     assert (side.min(axis=1) >= 0).all() and (side.max(axis=1) <= 3).all()
     assert (side.std(axis=1) > 0.2).mean() > 0.9
-    graphics = bank()[FIRST_GRAPHIC:].reshape(-1, GRAPHIC_SIDE**2)
+    graphics = bank()[FIRST_GRAPHIC : FIRST_GRAPHIC + GRAPHICS * GRAPHIC_SIDE**2].reshape(-1, GRAPHIC_SIDE**2)
     assert set(np.unique(graphics)) <= {0, 1, 2} and ((graphics > 0).mean(axis=1) > 0.05).all()
 
 
