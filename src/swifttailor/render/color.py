@@ -40,7 +40,12 @@ def to_linear(color: Color) -> Array:
         values = np.asarray(color, np.float64)
     if values.shape != (3,) or not np.all((values >= 0.0) & (values <= 1.0)):
         raise InputError(f"A colour is '#rrggbb' or three numbers from 0 to 1, got {color!r}. Try '#4a78b0'.")
-    return np.where(values <= 0.04045, values / 12.92, ((values + 0.055) / 1.055) ** 2.4)
+    return decode_srgb(values)
+
+
+def decode_srgb(srgb: Array) -> Array:
+    """Linear-light values of sRGB values from 0 to 1, any shape."""
+    return np.where(srgb <= 0.04045, srgb / 12.92, ((srgb + 0.055) / 1.055) ** 2.4)
 
 
 def encode_srgb(linear: Array) -> Array:

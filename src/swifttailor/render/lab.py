@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from swifttailor.arrays import Array
+from swifttailor.render.color import decode_srgb, to_linear
 
 _TO_XYZ = np.array(
     [[0.4124564, 0.3575761, 0.1804375], [0.2126729, 0.7151522, 0.0721750], [0.0193339, 0.1191920, 0.9503041]]
@@ -15,8 +16,7 @@ _KNEE, _SLOPE = (6 / 29) ** 3, 841 / 108
 
 def linear_of_srgb(srgb: Array) -> Array:
     """Linear light (..., 3), 0 to 1, of sRGB values from 0 to 255."""
-    values = np.asarray(srgb, np.float64) / 255.0
-    return np.where(values <= 0.04045, values / 12.92, ((values + 0.055) / 1.055) ** 2.4)
+    return decode_srgb(np.asarray(srgb, np.float64) / 255.0)
 
 
 def lab_of_linear(linear: Array) -> Array:
@@ -38,5 +38,4 @@ def linear_of_lab(lab: Array) -> Array:
 
 def lab_of_hex(rgb: str) -> Array:
     """Lab (3,) of ``rrggbb``, with or without ``#``."""
-    digits = rgb.removeprefix("#")
-    return lab_of_linear(linear_of_srgb(np.array([int(digits[k : k + 2], 16) for k in (0, 2, 4)])))
+    return lab_of_linear(to_linear(rgb))

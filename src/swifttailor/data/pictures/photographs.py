@@ -22,6 +22,7 @@ from swifttailor.picture_reader.cut_square import cut_square
 from swifttailor.picture_reader.labels import BOX, PARTS, measure_labels
 from swifttailor.picture_reader.view import view_of
 from swifttailor.render import Camera
+from swifttailor.render.picture_file import read_picture
 
 SPLITS = ("train", "validation", "test")
 _TENTHS = {8: "validation", 9: "test"}
@@ -32,7 +33,6 @@ _SIDES, _AWAY = (0.8, 1.12), 0.05
 """Of what is shown of a photograph, in its longer sides, and by how much it is off the middle."""
 _PARTS_OF_NOTHING, _FAR_AWAY = (0.4, 1.12), 0.12
 """The same where there is nothing to read: any part will do."""
-_LONGEST = 4096
 _CORNER = (0.12, 0.35)
 """Side of a corner that shows what a garment lies on, in shorter sides."""
 _KIND_NAMES = tuple(KINDS)
@@ -51,19 +51,12 @@ class Photograph:
         return KINDS.get(self.label)
 
     def pixels(self) -> Pixels:
-        """(h, w, 3).
+        """(h, w, 3), as pictures are read that a user gives.
 
         Raises:
             InputError: It cannot be read.
         """
-        from PIL import Image, ImageOps
-
-        try:
-            with Image.open(self.path) as image:
-                image.draft("RGB", (_LONGEST, _LONGEST))
-                return np.asarray(ImageOps.exif_transpose(image).convert("RGB"))
-        except (OSError, ValueError) as error:
-            raise InputError(f"The photograph '{self.path}' cannot be read: {error}.") from error
+        return read_picture(self.path)
 
 
 class Photographs:

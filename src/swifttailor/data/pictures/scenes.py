@@ -36,7 +36,7 @@ from swifttailor.picture_reader.labels import MASK_STRIDE, PARTS, statement_labe
 from swifttailor.picture_reader.truth import TRUE
 from swifttailor.picture_reader.view import view_of
 from swifttailor.render import Camera, LineSet, Surface, to_linear
-from swifttailor.render.color import encode_srgb
+from swifttailor.render.color import decode_srgb, encode_srgb
 from swifttailor.render.view import render_seen
 
 Chance = np.random.Generator
@@ -387,7 +387,4 @@ def _shoes(kind: str) -> tuple[_Thing, float]:
     return _Thing(vertices, faces, np.zeros(3), Rig.default().weights_at(vertices)), sole
 
 
-_LEVELS = np.arange(256) / 255
-_TO_LINEAR = np.where(_LEVELS <= 0.04045, _LEVELS / 12.92, ((_LEVELS + 0.055) / 1.055) ** 2.4).astype(
-    np.float32
-)
+_TO_LINEAR = decode_srgb(np.arange(256) / 255).astype(np.float32)

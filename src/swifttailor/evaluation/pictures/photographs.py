@@ -57,8 +57,8 @@ def read_photographs(
 
     Returns:
         Of each label, and of ``all`` but those of nothing, what was found; ``laid`` beside the names of
-        `PhotographScores`: whether it was seen that nobody wears it; of labels of nothing only ``one``:
-        whether the reader of laid garments left them alone.
+        `PhotographScores`: whether it was seen that nobody wears it; of labels of nothing only ``left
+        alone``: whether the reader of laid garments left them to others.
     """
     scores = {"all": PhotographScores()}
     for one in photographs:
