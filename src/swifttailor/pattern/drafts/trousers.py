@@ -140,7 +140,7 @@ def lay_trousers(table: CuttingTable, figure: Figure, shape: Trousers, waist: Ha
         back = back_leg(drop)
         return sum(s.length for s in back.sides if s.name == "inseam") - inseam
 
-    lowest = lines.crotch_y - (lines.hem_y if lines.knee_y is None else lines.knee_y) - 2.0
+    lowest = lines.crotch_y - (lines.hem_y if lines.knee_y is None else lines.knee_y) - 1.0
     from scipy.optimize import brentq
 
     most = min(lowest, 12.0)
