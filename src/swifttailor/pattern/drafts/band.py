@@ -17,6 +17,8 @@ LEG_CUFF_GAP = 2.0
 """Between a leg and its cuff before draping, cm."""
 LEG_CUFF_FRONT_Z, LEG_CUFF_BACK_Z = 17.0, -20.0
 """Where the cuffs of legs stand before draping, cm: near the ankles, so that they close around them."""
+_ABOVE_HIPS_CM = 1.5
+"""The lowest bands of legs end so far above the hips."""
 _LOWEST_CUFF_CM, _CUFF_EASE_CM = 1.0, 3.0
 """Cuffs of jumpsuits' legs: how high the lowest are, and their room, cm."""
 
@@ -47,6 +49,17 @@ def lay_waist_band(
         if at_waist:
             table.label(f"{name}.top", "lower_interface")
     sew_sides(table, "wb")
+
+
+def band_below_waist(figure: Figure, below_waist: float, height: float) -> float:
+    """How far below the waist the upper edge of a band of legs is, cm: its lower edge stays above the hips.
+
+    Args:
+        figure: The body.
+        below_waist: As far as is asked for, cm.
+        height: Of the band, cm.
+    """
+    return min(below_waist, max(figure.waist_y - figure.hip_y - height - _ABOVE_HIPS_CM, 0.0))
 
 
 def lay_body_waist_band(

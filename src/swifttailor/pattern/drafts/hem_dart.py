@@ -20,6 +20,8 @@ _ASIDE = 0.46
 """Where a dart of the back is, as a part of the way to the side."""
 _FROM_EDGES_CM = 2.0
 """A dart leaves so much hem on both sides."""
+_BESIDE_BUST_CM = 2.0
+"""A dart in front points no farther beside the bust."""
 
 
 @dataclass(frozen=True)
@@ -65,6 +67,8 @@ def hem_dart(
         return None
     x = figure.bust_x if front else _ASIDE * hem[1]
     x = max(x, hem[0] + width / 2 + _FROM_EDGES_CM)
+    if front and x > figure.bust_x + _BESIDE_BUST_CM:  # its tip would lie in the bust dart
+        return None
     return HemDart(x, width, tip_y) if x + width / 2 + _FROM_EDGES_CM < hem[1] else None
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from swifttailor.errors import PatternError
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
@@ -19,6 +19,9 @@ LEGS_APART_X = 0.5
 """Distance of the innermost points of legs from the middle before draping, cm."""
 STEP = 1.2
 """At knee and below, the back is this much wider than half of the leg, the front this much narrower, cm."""
+
+_MORE_STEP_CM = (0.0, 1.0, 2.0, 3.0, 4.0)
+"""Tried where the inseams of front and back can't be equally long."""
 
 NARROWEST = 0.4
 """Least width of the hem of slim legs over the girth of the thigh."""
@@ -130,29 +133,18 @@ def lay_trousers(table: CuttingTable, figure: Figure, shape: Trousers, waist: Ha
     hips = taken.wide(waist)
     lines = _leg_lines(figure, shape, hips, taken, top_y)
     places = dart_places(figure, waist)
-    front = _front(lines, hips.front, waist.front, taken.front, places.front)
-    inseam = sum(s.length for s in front.sides if s.name == "inseam")
-
-    def back_leg(drop: float) -> Outline:
-        return _back(lines, hips.back, waist.back, taken.back, places.back, drop)
-
-    def excess(drop: float) -> float:
-        back = back_leg(drop)
-        return sum(s.length for s in back.sides if s.name == "inseam") - inseam
-
-    lowest = lines.crotch_y - (lines.hem_y if lines.knee_y is None else lines.knee_y) - 1.0
-    from scipy.optimize import brentq
-
-    most = min(lowest, 12.0)
-    if excess(-6.0) * excess(most) > 0:
+    for more in _MORE_STEP_CM:  # the shortest legs may need hems that are less even
+        stepped = replace(lines, step=lines.step + more)
+        front = _front(stepped, hips.front, waist.front, taken.front, places.front)
+        back = _as_long(front, stepped, hips.back, waist.back, taken.back, places.back)
+        if back is not None:
+            break
+    else:
         raise PatternError(
             f"No legs can be drafted with a front of {waist.front:.0f} cm and a back of {waist.back:.0f} cm "
             "at the upper edge on half of the body: their inseams would not fit each other. Change the room "
             "at waist or hips, or the length."
         )
-    drop = brentq(excess, -6.0, most, xtol=1e-10)
-    assert isinstance(drop, float)
-    back = back_leg(drop)
     # The legs stand apart so far that the crotch points of both sides do not overlap.
     for name, outline, z in (("pant_f_l", front, FRONT_Z), ("pant_b_l", back, BACK_Z)):
         x = LEGS_APART_X - min(s.start[0] for s in outline.sides)
@@ -212,6 +204,27 @@ def _without_darts(wide: Halves, narrow: Halves) -> Suppression:
 def _reach(figure: Figure, share: float) -> tuple[float, float]:
     """How far front and back reach under the crotch, cm."""
     return share * 0.052 * figure.hips.girth, share * 0.092 * figure.hips.girth
+
+
+def _as_long(
+    front: Outline, lines: LegLines, hip: float, waist: float, lost: float, place: float
+) -> Outline | None:
+    """The back leg that has its crotch point where its inseam is as long as the front's; None: nowhere."""
+    inseam = sum(s.length for s in front.sides if s.name == "inseam")
+
+    def excess(drop: float) -> float:
+        back = _back(lines, hip, waist, lost, place, drop)
+        return sum(s.length for s in back.sides if s.name == "inseam") - inseam
+
+    from scipy.optimize import brentq
+
+    lowest = lines.crotch_y - (lines.hem_y if lines.knee_y is None else lines.knee_y) - 1.0
+    most = min(lowest, 12.0)
+    if excess(-6.0) * excess(most) > 0:
+        return None
+    drop = brentq(excess, -6.0, most, xtol=1e-10)
+    assert isinstance(drop, float)
+    return _back(lines, hip, waist, lost, place, drop)
 
 
 def _front(lines: LegLines, hip: float, waist: float, lost: float, place: float) -> Outline:

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Annotated
 
 from swifttailor.pattern.drafts import declared
-from swifttailor.pattern.drafts.band import lay_body_waist_band
+from swifttailor.pattern.drafts.band import band_below_waist, lay_body_waist_band
 from swifttailor.pattern.drafts.bodice import sew_centres
 from swifttailor.pattern.drafts.briefs import Briefs, lay_briefs
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
@@ -46,9 +46,10 @@ def draft_briefs(options: BriefsOptions, measurements: Measurements) -> Pattern:
     """Drafts briefs for a body: a waistband, and cloth cut out over the legs."""
     figure = Figure.of(measurements).for_cloth(options.stretch / 100)
     table = CuttingTable("briefs", options.stretch / 100)
-    waist = lay_body_waist_band(table, figure, _BRIEFS_BAND_CM, 0.0, options.below_waist)
+    low = band_below_waist(figure, options.below_waist, _BRIEFS_BAND_CM)
+    waist = lay_body_waist_band(table, figure, _BRIEFS_BAND_CM, 0.0, low)
     cut = Briefs(options.hip_ease, options.leg_height, _BRIEFS_DROP_CM)
-    lay_briefs(table, figure, cut, waist, figure.waist_y - options.below_waist - _BRIEFS_BAND_CM)
+    lay_briefs(table, figure, cut, waist, figure.waist_y - low - _BRIEFS_BAND_CM)
     table.mirror()
     sew_legs(table)
     sew_trousers_to_band(table)

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Annotated
 
 from swifttailor.pattern.drafts import declared
-from swifttailor.pattern.drafts.band import lay_body_waist_band, lay_leg_cuff
+from swifttailor.pattern.drafts.band import band_below_waist, lay_body_waist_band, lay_leg_cuff
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure
 from swifttailor.pattern.drafts.joins import sew_trousers_to_band
@@ -84,7 +84,7 @@ def _bloused(figure: Figure, options: JoggersOptions) -> float:
 
 def _lay_legs(table: CuttingTable, figure: Figure, options: PullOnTrousersOptions, length: float) -> None:
     """Lays the waistband and the left leg; `length` from the body's waist to the leg's end, cm."""
-    low = options.below_waist
+    low = band_below_waist(figure, options.below_waist, options.band_height)
     lay_body_waist_band(table, figure, options.band_height, options.waist_ease, low)
     wide = figure.hips.eased(options.hip_ease - _SHAPED_CM)
     inseam = figure.crotch_y - (figure.waist_y - length)

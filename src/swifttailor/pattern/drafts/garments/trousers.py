@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from typing import Annotated
 
 from swifttailor.pattern.drafts import declared
-from swifttailor.pattern.drafts.band import lay_body_waist_band
+from swifttailor.pattern.drafts.band import band_below_waist, lay_body_waist_band
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure
 from swifttailor.pattern.drafts.joins import sew_trousers_to_band
@@ -141,7 +141,8 @@ def _on_band(name: str, legs: Trousers, options: _OnBand, ease: float, measureme
     stretch = options.stretch / 100 if not isinstance(options, TrousersOptions) else 0.0
     figure = Figure.of(measurements).for_cloth(stretch)
     table = CuttingTable(name, stretch)
-    low, height = options.below_waist, options.band_height
+    height = options.band_height
+    low = band_below_waist(figure, options.below_waist, height)
     lower = lay_body_waist_band(table, figure, height, ease, low)
     lay_trousers(table, figure, legs, lower, figure.waist_y - low - height)
     table.mirror()
