@@ -18,7 +18,8 @@ from pathlib import Path
 import numpy as np
 
 from swifttailor.cli.item_progress import ItemProgress
-from swifttailor.data.pictures.photographs import SPLITS, Photographs
+from swifttailor.data.pictures.photograph_lists import SPLITS
+from swifttailor.data.pictures.photographs import Photographs
 from swifttailor.evaluation.pictures.photographs import TOLD, read_photographs
 from swifttailor.picture_reader.reader import PictureReader
 

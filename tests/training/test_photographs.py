@@ -11,7 +11,8 @@ from PIL import Image
 from swifttailor.data.pictures.bank import PictureBank
 from swifttailor.data.pictures.blocks import Blocks
 from swifttailor.data.pictures.photograph_labels import KINDS
-from swifttailor.data.pictures.photographs import SPLITS, Photographs, kind_truths, split_of
+from swifttailor.data.pictures.photograph_lists import SPLITS, split_of
+from swifttailor.data.pictures.photographs import Photographs
 from swifttailor.errors import InputError
 from swifttailor.picture_reader.figures import FIGURES
 from swifttailor.picture_reader.labels import PARTS, statement_labels
@@ -60,27 +61,27 @@ def test_each_shows_what_its_label_says(folder):
         kind = KINDS[color]
         assert FIGURES[scene.figures] == "one" and not scene.placed
         garments = np.full(len(PARTS), -1)
-        garments[PARTS.index(kind.part)] = 1000 + list(KINDS).index(color)
+        garments[PARTS.index(kind.part)] = 1000 + [one is kind for one in photographs.kinds].index(True)
         np.testing.assert_array_equal(scene.garments, garments)
         camera = camera_of(scene.views)
         assert abs(camera.height - kind.seen) < 0.25 * kind.seen and abs(camera.target[1] - kind.middle) < 2
         assert not scene.masks.any() and np.isnan(scene.places.astype(float)).all()
     assert seen == {"T-Shirt", "Skirt", "Hat"}
+    truths = photographs.truths()
+    assert [PARTS[k] for k in truths["part"]] == [kind.part for kind in photographs.kinds]
+    for row, kind in zip(truths["statements"], photographs.kinds, strict=True):
+        np.testing.assert_array_equal(row, kind.statements())
+    assert np.isnan(truths["measures"]).all() and not truths["panels"].any()
     assert photographs.ground(np.random.default_rng(0), 16).shape == (16, 16, 3)
 
 
 def test_of_a_kind_is_said_what_nearly_all_are():
-    labels, truths = statement_labels(), kind_truths()
-    of = {
-        kind: dict(zip(labels, row, strict=True))
-        for kind, row in zip(KINDS, truths["statements"], strict=True)
-    }
+    labels = statement_labels()
+    of = {name: dict(zip(labels, kind.statements(), strict=True)) for name, kind in KINDS.items()}
     assert of["T-Shirt"]["sleeves", "long"] == FALSE == of["T-Shirt"]["kind", "dress"]
     assert of["T-Shirt"]["sleeves", "short"] == UNCLEAR == of["T-Shirt"]["fit", "loose"]
     assert of["Hoodie"]["hood", "hood"] == TRUE == of["Skirt"]["kind", "skirt"]
     assert of["Undershirt"]["sleeves", "none"] == TRUE
-    assert [PARTS[k] for k in truths["part"]] == [kind.part for kind in KINDS.values()]
-    assert np.isnan(truths["measures"]).all() and not truths["panels"].any()
 
 
 def test_blocks_show_photographs_and_drawings_on_parts_of_them(data, folder):
@@ -155,7 +156,7 @@ def test_a_network_is_judged_by_photographs_that_it_has_not_seen(data, folder, t
         run_of(data, tmp_path / "none", config=config)
     card = run_of(data, tmp_path / "run", config=config, photographs=[folder])
     found = card["validation"]["photographs"]
-    assert set(found) == {"parts", "kind", "sleeves", "hood", "collar", "nothing", "one"}
+    assert set(found) == {"parts", "kind", "sleeves", "hood", "collar", "neckline", "nothing", "one"}
     assert all(0 <= share <= 1 for share in found.values())
     assert card["data"]["photographs"]["train"] == len(Photographs([folder], "train"))
     assert set(card["validation"]["by_look"]) == {"laid front", "laid back"}
@@ -175,7 +176,7 @@ def test_any_folder_can_be_laid_out_with_a_label(tmp_path, monkeypatch):
     monkeypatch.setattr(sys, "argv", ["script", str(some), "--label", "People", "--out", str(out)])
     runpy.run_path(str(script), run_name="__main__")
     listed = [one for split in SPLITS for one in _listed_of(out, split)]
-    assert [(one.path.name, one.label, one.kind) for one in listed] == [("a person.jpg", "People", None)]
+    assert [(one.path.name, one.label, one.main) for one in listed] == [("a person.jpg", "People", None)]
     assert listed[0].pixels().shape == (20, 800, 3)
 
 

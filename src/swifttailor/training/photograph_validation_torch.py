@@ -1,11 +1,12 @@
-"""How well photographs of clothes are read of which only the kind is known. It loads torch."""
+"""How well photographs of clothes are read of which some claims are known. It loads torch."""
 
 from __future__ import annotations
 
 import numpy as np
 import torch
 
-from swifttailor.data.pictures.photographs import Photograph, Photographs
+from swifttailor.data.pictures.photograph_lists import Photograph
+from swifttailor.data.pictures.photographs import Photographs
 from swifttailor.evaluation.pictures.photographs import NOTHING, ONE, PhotographScores
 from swifttailor.picture_reader.cut_square import cut_square
 from swifttailor.picture_reader.figures import FIGURES
@@ -39,13 +40,13 @@ def judge_photographs(
             reading.figures.float().argmax(1).cpu().numpy(),
         )
         for one, present, statements, figures in zip(batch, *said, strict=True):
-            kind = one.kind
-            if kind is None:
+            if one.main is None:
                 scores.add(NOTHING, FIGURES[int(figures)] == "none")
                 continue
             scores.add(ONE, FIGURES[int(figures)] == "one")
             parts = [name for name, logit in zip(PARTS, present, strict=True) if logit > 0]
-            scores.add_kind(kind, parts, _likeliest(statements[PARTS.index(kind.part)]))
+            words = {part: _likeliest(logits) for part, logits in zip(PARTS, statements, strict=True)}
+            scores.add_photograph(one, parts, words.__getitem__)
     return scores.shares()
 
 

@@ -69,7 +69,7 @@ class PictureBatches:
             parts=config.parts,
             photographs=photographs,
         )
-        self.truths = TruthTable(bank, self._device, designs, photographs=photographs is not None)
+        self.truths = TruthTable(bank, self._device, designs, photographs=photographs)
         self._each = config.block * config.echo // self._size
         self._next, self._loaded = -1, iter(())
         self._block: Block | None = None

@@ -39,9 +39,10 @@ def reading_losses(reading: Reading, truth: Answers, weights: LossWeights) -> di
     count = len(truth.present)
     each = _weights(weights.details, truth.present.device)
     several, one = (truth.figures == FIGURES.index(name) for name in ("several", "one"))
+    said = truth.told & (truth.whole & ~several)[:, None]
     losses = {
         "figures": (F.cross_entropy(reading.figures, truth.figures, reduction="none") * truth.whole).sum(),
-        "present": _cross_entropy(reading.present, truth.present, (truth.whole & ~several)[:, None]),
+        "present": _cross_entropy(reading.present, truth.present, said),
         "statements": _cross_entropy(reading.statements, truth.statements, truth.clear * each.statements),
         "has": _cross_entropy(reading.has, truth.has, truth.measured * each.measures),
     }

@@ -10,8 +10,8 @@ from torch import Tensor
 
 from swifttailor.data.pictures.bank import PictureBank
 from swifttailor.data.pictures.panel_cells import SEAM
-from swifttailor.data.pictures.photograph_labels import KINDS
-from swifttailor.data.pictures.photographs import kind_truths
+from swifttailor.data.pictures.photographs import Photographs
+from swifttailor.data.pictures.scenes import UNTOLD
 from swifttailor.parameter_reader.placed_designs import PlacedDesigns
 from swifttailor.picture_reader.network_torch import scaled
 from swifttailor.picture_reader.truth import TRUE, UNCLEAR
@@ -24,6 +24,8 @@ class Answers(NamedTuple):
 
     present: Tensor
     """(B, 2) 0 or 1."""
+    told: Tensor
+    """(B, 2) whether that is known."""
     whole: Tensor
     """(B,) whether it is no close-up: these tell of one garment, and not of all of it."""
     placed: Tensor
@@ -80,14 +82,15 @@ class TruthTable:
         device: torch.device | None = None,
         designs: PlacedDesigns | None = None,
         *,
-        photographs: bool = False,
+        photographs: Photographs | None = None,
     ) -> None:
         known = bank.truths(range(len(bank)))
         names = bank.ids
         self.garments = len(bank)
-        if photographs:
-            known = {name: np.concatenate([v, kind_truths()[name]]) for name, v in known.items()}
-            names = [*names, *(f"photograph of {kind}" for kind in KINDS)]
+        if photographs is not None:
+            behind = photographs.truths()
+            known = {name: np.concatenate([v, behind[name]]) for name, v in known.items()}
+            names = [*names, *(f"photographed {k}" for k in range(len(photographs.kinds)))]
         found = {name: torch.from_numpy(v).to(device or "cpu") for name, v in known.items()}
         self.statements, self.measures = found["statements"], found["measures"].float()
         self.panels, self.boxes = found["panels"], found["boxes"]
@@ -106,7 +109,7 @@ class TruthTable:
         places: Tensor,
         cells: Tensor,
     ) -> Answers:
-        """For pictures of garments (B, 2), -1 for none.
+        """For pictures of garments (B, 2), -1 for none, `UNTOLD` where that is not known.
 
         Args:
             garments: Numbers in the bank.
@@ -130,6 +133,7 @@ class TruthTable:
         told = told._replace(measures=told.measures & drawn, panels=told.panels & drawn)
         return Answers(
             present.float(),
+            garments != UNTOLD,
             whole,
             placed,
             (judged == TRUE).float(),

@@ -43,8 +43,8 @@ Family = Literal[
 ]
 """How a picture looks: like those of GarmentCodeData; the same in one colour and without seams, of which
 nothing is learnt; a garment in a studio; people; people in looks that training never draws; a garment that
-nobody wears; a photograph of one; no garment at all; several people; any of seamless, studio and people of
-which a reader of plain pictures is to learn that it is not for it; and people, or a garment on a body as
+nobody wears; a photograph of clothes; no garment at all; several people; any of seamless, studio and people
+of which a reader of plain pictures is to learn that it is not for it; and people, or a garment on a body as
 GarmentCodeData shows it, of which a reader of laid garments is to learn the same."""
 _UNLIKE: tuple[Family, ...] = "seamless", "studio", "people"
 _WORN: tuple[Family, ...] = "people", "people", "people", "people", "plain", "seamless"
@@ -78,8 +78,8 @@ class Block:
     views: NDArray[np.float32]
     """(n, 6)."""
     garments: NDArray[np.int64]
-    """(n, 2) number of the garment of each part in the bank, of a kind of `photograph_labels` behind its last
-    one; -1 for none, and of groups."""
+    """(n, 2) number of the garment of each part in the bank, of one of `Photographs.kinds` behind its last
+    one; -1 for none, and of groups; `UNTOLD` where that is not known."""
     close_up: NDArray[np.int64]
     """(n,) number of `CLOSE_UPS`, or `WHOLE`."""
     placed: NDArray[np.bool_]

@@ -1,88 +1,62 @@
-"""Photographs of clothes that are laid or hung, to learn to read from, of which only the kind is known."""
+"""Photographs of clothes to learn to read from, of which a few claims are known: see `photograph_lists`."""
 
 from __future__ import annotations
 
-import csv
 import hashlib
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from swifttailor.arrays import Pixels
+from swifttailor.data.pictures.cut_outs import on_a_ground, stands_free, white_around
 from swifttailor.data.pictures.odd_scenes import unread
-from swifttailor.data.pictures.photograph_labels import KINDS, NOTHING, PhotographKind
-from swifttailor.data.pictures.scenes import Chance, Scene, linear_light
+from swifttailor.data.pictures.photograph_lists import LISTS, listed
+from swifttailor.data.pictures.scenes import UNTOLD, Chance, Scene, linear_light
 from swifttailor.errors import InputError
 from swifttailor.pattern.names import PANEL_NAMES
 from swifttailor.picture_reader.cut_square import cut_square
-from swifttailor.picture_reader.labels import BOX, PARTS, measure_labels
+from swifttailor.picture_reader.labels import BOX, PARTS, measure_labels, statement_labels
 from swifttailor.picture_reader.view import view_of
 from swifttailor.render import Camera
-from swifttailor.render.picture_file import read_picture
 
-SPLITS = ("train", "validation", "test")
-_TENTHS = {8: "validation", 9: "test"}
-_LABELS = {*KINDS, *NOTHING}
 _EVENER = 0.5
 """Power of how many photographs of a label there are, by which labels are drawn."""
 _SIDES, _AWAY = (0.8, 1.12), 0.05
 """Of what is shown of a photograph, in its longer sides, and by how much it is off the middle."""
 _PARTS_OF_NOTHING, _FAR_AWAY = (0.4, 1.12), 0.12
 """The same where there is nothing to read: any part will do."""
+_FAR = (0.8, 1.8)
+"""The same where a whole person is put before something else."""
 _CORNER = (0.12, 0.35)
 """Side of a corner that shows what a garment lies on, in shorter sides."""
-_KIND_NAMES = tuple(KINDS)
-
-
-@dataclass(frozen=True)
-class Photograph:
-    """One of them."""
-
-    path: Path
-    label: str
-
-    @property
-    def kind(self) -> PhotographKind | None:
-        """None where there is nothing to read."""
-        return KINDS.get(self.label)
-
-    def pixels(self) -> Pixels:
-        """(h, w, 3), as pictures are read that a user gives.
-
-        Raises:
-            InputError: It cannot be read.
-        """
-        return read_picture(self.path)
+_FIELD_OF_VIEW = 14.0
+_ON_A_GROUND = 0.5
+"""Of photographs on white so many are put before something else."""
 
 
 class Photographs:
-    """Those of a split of the clothing dataset, and of others like it."""
+    """Those of a split of some folders."""
 
     def __init__(self, folders: Sequence[Path], split: str) -> None:
         """Lists them.
 
         Args:
-            folders: Each holds ``images.csv``, with the columns ``image`` and ``label``, and
-                ``images/IMAGE.jpg``.
-            split: One of `SPLITS`: by a hash of the image's name, so that the same photographs are always
-                kept apart.
+            folders: Each is listed as `photograph_lists.listed` has it.
+            split: One of `SPLITS`.
 
         Raises:
-            InputError: There is no such folder, or no photograph of a known kind in it.
+            InputError: There is no such folder, or no photograph with known claims in it.
         """
-        assert split in SPLITS
-        self.photographs = tuple(one for folder in folders for one in _listed(folder, split))
+        self.photographs = tuple(one for folder in folders for one in listed(folder, split))
         if not self.photographs:
             named = ", ".join(f"'{folder}'" for folder in folders)
-            raise InputError(
-                f"{named} has no photographs of the split '{split}'. It needs images.csv, with the "
-                f"columns image and label (one of {', '.join(sorted(_LABELS))}), and images/IMAGE.jpg for "
-                "each."
-            )
+            raise InputError(f"{named} has no photographs of the split '{split}'. {LISTS}")
+        worn = [kind for one in self.photographs for kind in one.kinds if kind]
+        self.kinds = tuple({id(kind): kind for kind in worn}.values())
+        number = {id(kind): k for k, kind in enumerate(self.kinds)}
+        self._numbers = [[number.get(id(kind)) for kind in one.kinds] for one in self.photographs]
         self._of_label = {
             label: [k for k, one in enumerate(self.photographs) if one.label == label]
             for label in sorted({one.label for one in self.photographs})
@@ -111,56 +85,52 @@ class Photographs:
         Args:
             chance: Decides.
             size: Pixels along each side.
-            behind: How many garments a bank has: the kinds are numbered behind them, see `kind_truths`.
+            behind: How many garments a bank has: `kinds` are numbered behind them.
         """
         label = list(self._of_label)[int(chance.choice(len(self._of_label), p=self._shares))]
         some = self._of_label[label]
-        photograph = self.photographs[some[int(chance.integers(len(some)))]]
+        chosen = some[int(chance.integers(len(some)))]
+        photograph = self.photographs[chosen]
         pixels = photograph.pixels()
         if chance.random() < 0.5:
             pixels = pixels[:, ::-1]
         height, width = pixels.shape[:2]
         longer = max(height, width)
-        kind = photograph.kind
-        side = round(longer * float(chance.uniform(*(_SIDES if kind else _PARTS_OF_NOTHING))))
+        kind = photograph.main
+        replaced = photograph.is_worn and chance.random() < _ON_A_GROUND
+        ground = white_around(pixels) if replaced else None
+        sides = _PARTS_OF_NOTHING if kind is None else _SIDES
+        if ground is not None and stands_free(ground):
+            sides = _FAR
+        side = round(longer * float(chance.uniform(*sides)))
         right, down = chance.normal(0, _AWAY if kind else _FAR_AWAY, 2) * longer
-        left, top = round((width - side) / 2 + right), round((height - side) / 2 + down)
-        scene = unread(cut_square(pixels, (left, top, side), size), "one" if kind else "none")
+        square = round((width - side) / 2 + right), round((height - side) / 2 + down), side
+        if ground is None:
+            shown = cut_square(pixels, square, size)
+        else:
+            shown = on_a_ground(pixels, ground, square, size, chance)
+        scene = unread(shown, "one" if kind else "none")
         if kind is None:
             return scene
-        camera = Camera((0.0, kind.middle, 0.0), kind.seen * side / longer, 0.0, 0.0, 14.0)
-        garments = np.full(len(PARTS), -1)
-        garments[PARTS.index(kind.part)] = behind + _KIND_NAMES.index(photograph.label)
+        camera = Camera(
+            (0.0, kind.middle, 0.0), kind.seen * side / longer, photograph.azimuth, 0.0, _FIELD_OF_VIEW
+        )
+        garments = np.array(
+            [
+                behind + number if number is not None else -1 if told else UNTOLD
+                for number, told in zip(self._numbers[chosen], photograph.told, strict=True)
+            ]
+        )
         return scene._replace(views=view_of(camera, size), garments=garments, placed=False)
 
-
-def kind_truths() -> dict[str, NDArray[Any]]:
-    """What is true of each of `KINDS`, as `PictureBank.truths` has it of garments; measures are unknown."""
-    count = len(KINDS)
-    return {
-        "part": np.array([PARTS.index(kind.part) for kind in KINDS.values()], np.uint8),
-        "statements": np.stack([kind.statements() for kind in KINDS.values()]),
-        "measures": np.full((count, len(measure_labels())), np.nan, np.float32),
-        "panels": np.zeros((count, len(PANEL_NAMES)), np.uint8),
-        "boxes": np.zeros((count, len(PANEL_NAMES), len(BOX)), np.float32),
-    }
-
-
-def split_of(image: str) -> str:
-    """One of `SPLITS`, by the name of an image."""
-    tenth = int(hashlib.sha256(image.encode()).hexdigest()[:8], 16) % 10
-    return _TENTHS.get(tenth, "train")
-
-
-def _listed(folder: Path, split: str) -> Iterator[Photograph]:
-    table = folder / "images.csv"
-    try:
-        rows = list(csv.DictReader(table.read_text(encoding="utf-8").splitlines()))
-    except (OSError, UnicodeDecodeError) as error:
-        raise InputError(f"The list of photographs '{table}' cannot be read: {error}.") from error
-    for row in rows:
-        image, label = row.get("image") or "", row.get("label") or ""
-        path = folder / "images" / f"{image}.jpg"
-        known = label in _LABELS and Path(image).name == image and split_of(image) == split
-        if known and path.is_file():
-            yield Photograph(path, label)
+    def truths(self) -> dict[str, NDArray[Any]]:
+        """What is true of each of `kinds`, as `PictureBank.truths` has it; measures are unknown."""
+        count = len(self.kinds)
+        statements = [kind.statements() for kind in self.kinds]
+        return {
+            "part": np.array([PARTS.index(kind.part) for kind in self.kinds], np.uint8),
+            "statements": np.array(statements, np.uint8).reshape(count, len(statement_labels())),
+            "measures": np.full((count, len(measure_labels())), np.nan, np.float32),
+            "panels": np.zeros((count, len(PANEL_NAMES)), np.uint8),
+            "boxes": np.zeros((count, len(PANEL_NAMES), len(BOX)), np.float32),
+        }

@@ -45,6 +45,8 @@ VIEWS: tuple[View, ...] = ("front", "back", "free")
 HELD_OUT_BACKDROPS = frozenset({"stairs", "bricks"})
 HELD_OUT_WEAVES = frozenset({"quilt", "cord", "cable"})
 """A family of looks that training never draws: these backdrops and these cloths, always in a pose."""
+UNTOLD = -2
+"""For the number of a garment: whether there is one is not known."""
 _SKINS = ("#f3d9c6", "#e8c0a4", "#d6a184", "#b57f5c", "#8f5c3e", "#5f3b28", "#3b251a")
 _FIGURES = ("#c9bfb6", "#e9e6e1", "#8d8b89", "#2b2b2d")
 _HAIRS = ("#17120f", "#2e211a", "#4a3222", "#6f4a2c", "#9a7346", "#c9a468", "#7c3a22", "#8d8a88")
@@ -70,7 +72,7 @@ class Scene(NamedTuple):
     views: NDArray[np.float32]
     """(6,) `labels.VIEW`."""
     garments: NDArray[np.int64]
-    """(2,) number of the garment of each part in the bank; -1 for none."""
+    """(2,) number of the garment of each part in the bank; -1 for none, `UNTOLD` where that is not known."""
     figures: int = FIGURES.index("one")
     """Number of `FIGURES`."""
     close_up: int = WHOLE

@@ -1,18 +1,19 @@
-"""How well photographs of clothes are read of which only the kind is known."""
+"""How well photographs of clothes are read of which some claims are known."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import partial
 
 import numpy as np
 
-from swifttailor.data.pictures.photograph_labels import PhotographKind
-from swifttailor.data.pictures.photographs import Photograph
+from swifttailor.data.pictures.photograph_lists import Photograph
+from swifttailor.picture_reader.labels import PARTS
 from swifttailor.picture_reader.reader import LEAST_PRESENT, PictureReader
 from swifttailor.picture_reader.reading import PictureReading
 
-TOLD = ("kind", "sleeves", "hood", "collar", "leg_hem")
+TOLD = ("kind", "sleeves", "hood", "collar", "neckline", "top_hem", "skirt_hem", "leg_hem")
 """Claims that are compared, of kinds of which they are known."""
 PARTS_RIGHT, NOTHING, ONE = "parts", "nothing", "one"
 
@@ -23,19 +24,25 @@ class PhotographScores:
 
     found: dict[str, list[bool]] = field(default_factory=dict)
 
-    def add_kind(self, kind: PhotographKind, parts: Sequence[str], likeliest: Mapping[str, str]) -> None:
-        """Adds what was read of a photograph of a kind.
+    def add_photograph(
+        self, photograph: Photograph, parts: Sequence[str], likeliest: Callable[[str], Mapping[str, str]]
+    ) -> None:
+        """Adds what was read of one.
 
         Args:
-            kind: What it shows.
+            photograph: What it shows.
             parts: Of the body on which something was seen.
-            likeliest: Of each claim the likeliest word of the part that the kind covers; without those of
-                which nothing was said.
+            likeliest: Gives of each claim the likeliest word of a part, without claims of which nothing was
+                said.
         """
-        self.add(PARTS_RIGHT, list(parts) == [kind.part])
-        for claim in TOLD:
-            if claim in kind.are or claim in kind.may_be:
-                self.add(claim, claim in likeliest and kind.likely(claim, likeliest[claim]))
+        told = [part for part, known in zip(PARTS, photograph.told, strict=True) if known]
+        there = [kind.part for kind in photograph.kinds if kind]
+        self.add(PARTS_RIGHT, {part for part in parts if part in told} == set(there))
+        for kind in filter(None, photograph.kinds):
+            words = likeliest(kind.part)
+            for claim in TOLD:
+                if claim in kind.are or claim in kind.may_be:
+                    self.add(claim, claim in words and kind.likely(claim, words[claim]))
 
     def add(self, name: str, good: bool) -> None:
         """Adds one answer, right or wrong."""
@@ -64,13 +71,12 @@ def read_photographs(
     for one in photographs:
         reading = reader.read(one.pixels())
         of_label = scores.setdefault(one.label, PhotographScores())
-        kind = one.kind
-        if kind is None:
+        if one.main is None:
             of_label.add("left alone", not reading.is_laid)
         else:
             for each in (of_label, scores["all"]):
                 each.add("laid", reading.is_laid)
-                each.add_kind(kind, _parts(reading), _likeliest(reading, kind))
+                each.add_photograph(one, _parts(reading), partial(_likeliest, reading))
         if done is not None:
             done(1)
     return scores
@@ -80,8 +86,8 @@ def _parts(reading: PictureReading) -> list[str]:
     return [part.part for part in reading.parts if part.certainty >= LEAST_PRESENT]
 
 
-def _likeliest(reading: PictureReading, kind: PhotographKind) -> dict[str, str]:
-    part = next((part for part in reading.parts if part.part == kind.part), None)
+def _likeliest(reading: PictureReading, name: str) -> dict[str, str]:
+    part = next((part for part in reading.parts if part.part == name), None)
     found: dict[str, str] = {}
     for statement in part.statements if part else ():  # surest first
         found.setdefault(statement.claim.name, str(statement.claim.value))
