@@ -1,8 +1,9 @@
-"""How well photographs of clothes are read of which only the kind is known.
+"""How well photographs of clothes are read of which some claims are known.
 
 ``python benchmarks/photographs_read.py FOLDER... [--split validation] [--limit N]``
 
-FOLDER is laid out as the clothing dataset (docs/picture-reader.md). Prints, by label, the share of
+FOLDER is laid out as the clothing dataset, or has a list of garments (docs/picture-reader.md). Prints, by
+label, the share of
 photographs in which exactly the garment of that part of the body is seen, and of each claim the share whose
 likeliest word may be true of such clothes; of hats, shoes and people the share that the reader of laid
 garments left to others.
@@ -21,23 +22,26 @@ from swifttailor.cli.item_progress import ItemProgress
 from swifttailor.data.pictures.photograph_lists import SPLITS
 from swifttailor.data.pictures.photographs import Photographs
 from swifttailor.evaluation.pictures.photographs import TOLD, read_photographs
-from swifttailor.picture_reader.reader import PictureReader
+from swifttailor.picture_reader.reader import SHIPPED_LAID, SHIPPED_PLAIN, PictureReader
 
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
     parser.add_argument("folders", type=Path, nargs="+")
-    parser.add_argument("--split", choices=SPLITS, default="validation")
+    parser.add_argument("--split", choices=[*SPLITS, "all"], default="validation")
     parser.add_argument("--limit", type=int, default=0, help="so many of them by lot; all without it")
     parser.add_argument("--seed", type=int, default=0)
+    parser.add_argument("--picture-reader-weights", type=Path, help="instead of the package's")
     parser.add_argument("--laid-reader-weights", type=Path)
     parser.add_argument("--not-laid", action="store_true", help="as if there were no reader of laid garments")
     options = parser.parse_args()
-    photographs = Photographs(options.folders, options.split).photographs
+    splits = SPLITS if options.split == "all" else (options.split,)
+    photographs = tuple(one for split in splits for one in Photographs(options.folders, split).photographs)
     if options.limit and options.limit < len(photographs):
         chosen = np.random.default_rng(options.seed).choice(len(photographs), options.limit, replace=False)
         photographs = tuple(photographs[k] for k in sorted(chosen))
-    reader = PictureReader.load(laid=options.laid_reader_weights)
+    laid = options.laid_reader_weights or SHIPPED_LAID
+    reader = PictureReader.load(options.picture_reader_weights, plain=SHIPPED_PLAIN, laid=laid)
     if options.not_laid:
         reader = replace(reader, laid=None)
     with ItemProgress(len(photographs), "photographs read") as progress:

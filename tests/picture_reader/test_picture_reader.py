@@ -17,7 +17,8 @@ from swifttailor.picture_reader.cut_square import cut_square
 from swifttailor.picture_reader.figures import FIGURES
 from swifttailor.picture_reader.labels import labels_checksum, measure_labels, statement_labels
 from swifttailor.picture_reader.panel_kinds import PANEL_KINDS, kinds_of_panels
-from swifttailor.picture_reader.reader import DESIGNS, LEAST_CERTAINTY, SHIPPED, PictureReader
+from swifttailor.picture_reader.reader import DESIGNS, SHIPPED, PictureReader
+from swifttailor.picture_reader.said import LEAST_CERTAINTY
 
 PARAMETERS = ParameterReader.load().parameters
 TINY = {"image_size": 64, "embedding": 8, "stages": [8, 8, 16, 16], "depths": [1, 1, 1, 1], "width": 24}

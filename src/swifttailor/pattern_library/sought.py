@@ -38,7 +38,7 @@ FORESEEN, FORESEEN_BESIDE_PICTURE = 2.0, 1.0
 _SUREST_ODDS = 4.6
 """Of a panel that is foreseen, as a logarithm: 99 %."""
 UNTOLD, UNTOLD_PANEL, UNTOLD_MEASURE = 0.02, 0.02, 0.02
-"""Probability of what a reading leaves out (`reader.LEAST_CERTAINTY`)."""
+"""Probability of what a reading leaves out (`said.LEAST_CERTAINTY`)."""
 EXACT = 0.05
 """Width of a measure that is true, `scaled`."""
 _HALF = float(np.log(2))

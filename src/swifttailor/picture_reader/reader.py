@@ -12,10 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from swifttailor.arrays import Pixels
-from swifttailor.describing.claims import CLAIM_TYPES, Claim
 from swifttailor.errors import InputError
 from swifttailor.networks.model_file import GRAPH, ModelKind, open_model
-from swifttailor.pattern.names import PANEL_NAMES
 from swifttailor.picture_reader.close_looks import close_squares, with_close_designs, with_close_looks
 from swifttailor.picture_reader.close_ups import CLOSE_UPS
 from swifttailor.picture_reader.cut_square import cut_square
@@ -25,23 +23,27 @@ from swifttailor.picture_reader.labels import (
     GUESS,
     PARTS,
     labels_checksum,
-    measure_labels,
     statement_labels,
 )
 from swifttailor.picture_reader.panel_kinds import PANEL_KINDS
 from swifttailor.picture_reader.people_wear import as_people_wear
 from swifttailor.picture_reader.plain_pictures import one_colour_around
 from swifttailor.picture_reader.reading import (
-    Measure,
     PartReading,
     PictureReading,
     SeenCells,
-    SeenPanel,
-    Statement,
+)
+from swifttailor.picture_reader.said import (
+    LEAST_PRESENT,
+    certainties,
+    measures_said,
+    panels_said,
+    parts_present,
+    share_of,
+    statements_said,
 )
 from swifttailor.picture_reader.seen_design import SeenDesign
-from swifttailor.picture_reader.squares import around, box_of, mask_of, scaled
-from swifttailor.picture_reader.units import BOX_CM, MEASURE_CM, NARROWEST, WIDEST
+from swifttailor.picture_reader.squares import around, box_of, halves, mask_of, scaled
 from swifttailor.picture_reader.view import Square, camera_of, view_in
 from swifttailor.programs.read_parameter import ReadParameter
 from swifttailor.render.pixels import require_picture
@@ -79,17 +81,14 @@ KIND = ModelKind(
     2**28,
     ({GRAPH: (INPUTS, OUTPUTS)}, {GRAPH: (INPUTS, (*OUTPUTS, DESIGNS))}),
 )
-LEAST_PRESENT = 0.5
 LEAST_LAID = 0.8
 """What is less surely a garment that nobody wears is read like others: to take a person for one is worse."""
-LEAST_CERTAINTY = 0.03
-"""What is less sure is not told; what is hardly likely still tells known patterns apart."""
+LEAST_FOUND = 0.8
+"""How sure somebody has to be dressed in a part of a picture, where nobody is seen in all of it."""
 _SCALES = (1.0, 0.87, 1.15)
 """Sides of the frames of the nearer looks, in that around the garment."""
 _OF_A_FRAME = ("camera_view", "masks", "worn_places", "panel_kinds", "seams")
 _CM = 100.0
-_HALF = float(np.log(2))
-"""Median distance from the middle of a Laplace distribution, in its width."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -212,20 +211,38 @@ class PictureReader:
         nearer = self._looking_nearer(pixels, whole)
         if nearer is self and self.laid is not None and self.laid()._knows(pixels, whole, LEAST_LAID):
             return replace(self.laid().read(pixels), is_laid=True)
+        if nearer is self:
+            whole, first = self._searched(pixels, whole, first)
         seen: dict[int, tuple[Square, dict[str, Any]]] = {}
-        waiting = [(k, whole, first) for k in _present(first)]
+        waiting = [(k, whole, first) for k in parts_present(first)]
         while waiting:
             part, square, look = waiting.pop(0)
             if part not in seen:
-                square = around(_share(look["masks"][part]) > 0.5, square) or whole
+                square = around(share_of(look["masks"][part]) > 0.5, square) or whole
                 lookers = (self,) if nearer is self else (nearer, self)
                 answers = nearer._nearer(pixels, part, square, whole, first, lookers)
                 if nearer is self and self.plain is not None:
                     answers = as_people_wear(answers, self.parameters)
                 seen[part] = square, answers
-                waiting += [(k, *seen[part]) for k in _present(seen[part][1])]
+                waiting += [(k, *seen[part]) for k in parts_present(seen[part][1])]
         read = self._reading(first, whole, seen, (height, width), nearer.parameters)
         return replace(read, is_plain=nearer is not self)
+
+    def _searched(
+        self, pixels: Pixels, whole: Square, first: dict[str, Any]
+    ) -> tuple[Square, dict[str, Any]]:
+        """Where nobody is seen in all of a picture, the part in which somebody is, and a look at it."""
+        figures = FIGURES[int(first["figures"].argmax())]
+        if figures == "several" or (figures == "one" and parts_present(first)):
+            return whole, first
+        best = LEAST_FOUND
+        for square in halves(pixels.shape[:2]):
+            look = self._look(pixels, square, None)
+            certain = float(certainties(look["figures"])[FIGURES.index("one")])
+            certain *= float(share_of(look["present"]).max())
+            if certain > best:
+                best, whole, first = certain, square, look
+        return whole, first
 
     def _looking_nearer(self, pixels: Pixels, whole: Square) -> PictureReader:
         """Who decides about garments and looks at details: of plain pictures those who know nothing else."""
@@ -237,7 +254,7 @@ class PictureReader:
 
     def _knows(self, pixels: Pixels, whole: Square, least: float = 0.5) -> bool:
         """Whether a picture shows one person, or one garment, as far as this network knows what that is."""
-        return bool(_certainties(self._look(pixels, whole, None)["figures"])[FIGURES.index("one")] > least)
+        return bool(certainties(self._look(pixels, whole, None)["figures"])[FIGURES.index("one")] > least)
 
     def _nearer(
         self,
@@ -298,14 +315,14 @@ class PictureReader:
         parts = [
             self._part(k, square, answers, shape, parameters)
             for k, (square, answers) in seen.items()
-            if _share(answers["present"][k]) >= LEAST_PRESENT
+            if share_of(answers["present"][k]) >= LEAST_PRESENT
         ]
         parts.sort(key=lambda part: -part.certainty)
         square, view = whole, first["camera_view"]
         if parts:
             square, answers = seen[PARTS.index(parts[0].part)]
             view = answers["camera_view"]
-        figures = _certainties(first["figures"])
+        figures = certainties(first["figures"])
         return PictureReading(
             tuple(parts),
             camera_of(view),
@@ -322,13 +339,13 @@ class PictureReader:
         shape: tuple[int, int],
         parameters: tuple[ReadParameter, ...],
     ) -> PartReading:
-        mask = _share(answers["masks"][number])
+        mask = share_of(answers["masks"][number])
         return PartReading(
             PARTS[number],
-            float(_share(answers["present"][number])),
-            _statements(answers["statements"][number]),
-            _measures(answers["has"][number], answers["measures"][number]),
-            _panels(answers["panels"][number], answers["boxes"][number]),
+            float(share_of(answers["present"][number])),
+            statements_said(answers["statements"][number]),
+            measures_said(answers["has"][number], answers["measures"][number]),
+            panels_said(answers["panels"][number], answers["boxes"][number]),
             mask_of(mask, square, shape),
             SeenCells(
                 box_of(square),
@@ -338,49 +355,3 @@ class PictureReader:
             ),
             SeenDesign.of_logits(parameters, answers[DESIGNS][number]) if parameters else None,
         )
-
-
-def _certainties(logits: NDArray[Any]) -> NDArray[np.float64]:
-    """Of things of which one is so."""
-    raised = np.exp(logits.astype(np.float64) - logits.max())
-    return raised / raised.sum()
-
-
-def _present(answers: dict[str, Any]) -> list[int]:
-    """Numbers of the parts on which anything is worn."""
-    return [int(k) for k in np.flatnonzero(_share(answers["present"]) >= LEAST_PRESENT)]
-
-
-def _statements(logits: NDArray[Any]) -> tuple[Statement, ...]:
-    certain = _share(logits)
-    found = [
-        Statement(Claim(claim, word), float(certain[k]))
-        for k, (claim, word) in enumerate(statement_labels())
-        if certain[k] >= LEAST_CERTAINTY and word in CLAIM_TYPES[claim].words
-    ]
-    return tuple(sorted(found, key=lambda s: -s.certainty))
-
-
-def _measures(has: NDArray[Any], measured: NDArray[Any]) -> tuple[Measure, ...]:
-    certain = _share(has)
-    found = []
-    for k, name in enumerate(measure_labels()):
-        if certain[k] >= LEAST_CERTAINTY:
-            middle, width = float(measured[k, 0]), float(np.exp(np.clip(measured[k, 1], NARROWEST, WIDEST)))
-            value = MEASURE_CM * np.sinh(middle)
-            off = MEASURE_CM * (np.sinh(middle + _HALF * width) - np.sinh(middle - _HALF * width)) / 2
-            found.append(Measure(name, float(value), float(off), float(certain[k])))
-    return tuple(found)
-
-
-def _panels(logits: NDArray[Any], boxes: NDArray[Any]) -> tuple[SeenPanel, ...]:
-    certain = _share(logits)
-    found = []
-    for k in np.flatnonzero(certain >= LEAST_CERTAINTY):
-        x, y, z, width, height = (float(v) * BOX_CM for v in boxes[k])
-        found.append(SeenPanel(PANEL_NAMES[k], float(certain[k]), (x, y, z, width, height)))
-    return tuple(sorted(found, key=lambda panel: -panel.certainty))
-
-
-def _share(logits: NDArray[Any]) -> NDArray[Any]:
-    return 1 / (1 + np.exp(-np.clip(logits.astype(np.float64), -60, 60)))

@@ -35,6 +35,19 @@ def around(mask: NDArray[np.bool_], square: Square) -> Square | None:
     return left + int(across), top + int(down), new
 
 
+def halves(shape: tuple[int, int]) -> list[Square]:
+    """Squares of half the longer side all over a picture (h, w), to look for somebody small.
+
+    They overlap by half, and reach beyond the picture only where that is narrower than they are.
+    """
+    side = max(max(shape) // 2, 1)
+    rows, columns = (
+        [(size - side) // 2] if size <= side else sorted({0, (size - side) // 2, size - side})
+        for size in shape
+    )
+    return [(left, top, side) for top in rows for left in columns]
+
+
 def scaled(square: Square, scale: float) -> Square:
     """A square with the same middle."""
     left, top, side = square

@@ -10,8 +10,9 @@ import numpy as np
 
 from swifttailor.data.pictures.photograph_lists import Photograph
 from swifttailor.picture_reader.labels import PARTS
-from swifttailor.picture_reader.reader import LEAST_PRESENT, PictureReader
+from swifttailor.picture_reader.reader import PictureReader
 from swifttailor.picture_reader.reading import PictureReading
+from swifttailor.picture_reader.said import LEAST_PRESENT
 
 TOLD = ("kind", "sleeves", "hood", "collar", "neckline", "top_hem", "skirt_hem", "leg_hem")
 """Claims that are compared, of kinds of which they are known."""
