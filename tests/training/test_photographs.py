@@ -68,8 +68,9 @@ def test_each_shows_what_its_label_says(folder):
         assert not scene.masks.any() and np.isnan(scene.places.astype(float)).all()
     assert seen == {"T-Shirt", "Skirt", "Hat"}
     truths = photographs.truths()
-    assert [PARTS[k] for k in truths["part"]] == [kind.part for kind in photographs.kinds]
-    for row, kind in zip(truths["statements"], photographs.kinds, strict=True):
+    kinds = [*photographs.kinds, *(kind.of_a_portrait() for kind in photographs.kinds)]
+    assert [PARTS[k] for k in truths["part"]] == [kind.part for kind in kinds]
+    for row, kind in zip(truths["statements"], kinds, strict=True):
         np.testing.assert_array_equal(row, kind.statements())
     assert np.isnan(truths["measures"]).all() and not truths["panels"].any()
     assert photographs.ground(np.random.default_rng(0), 16).shape == (16, 16, 3)

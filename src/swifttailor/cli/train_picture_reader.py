@@ -31,8 +31,9 @@ class TrainPictureReader(Training):
     """Designs of the garments, of scripts/place_designs.py: the network learns to say design parameters as
     well."""
     photographs: Annotated[tuple[Path, ...], tyro.conf.arg(metavar="DIR...")] = ()
-    """Folders of photographs of clothes of which only the kind is known, laid out as the clothing dataset is
-    (docs/picture-reader.md): images.csv, with the columns image and label, and images/IMAGE.jpg."""
+    """Folders of photographs of clothes of which some claims are known (docs/picture-reader.md): with
+    images.csv, its columns image and label, and images/IMAGE.jpg, as the clothing dataset is laid out; or
+    with garments.jsonl, which says what is worn in each."""
     config: Annotated[str, tyro.conf.arg(metavar="NAME")] = "small"
     """small, or a JSON file like the config.json of a run."""
     set: Annotated[tuple[str, ...], tyro.conf.arg(metavar="FIELD=VALUE")] = ()

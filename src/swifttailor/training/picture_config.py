@@ -97,7 +97,7 @@ class PictureConfig(LoopConfig):
     laid: float = 0.0
     """Share of pictures of garments that nobody wears, laid or hung."""
     photograph: float = 0.0
-    """Share of photographs of clothes of which only the kind is known (--photographs)."""
+    """Share of photographs of clothes of which some claims are known (--photographs)."""
     worn: float = 0.0
     """Share of pictures of people and of bodies of which is learnt that they show nothing: for a reader that
     is asked of laid garments alone, and says which are."""

@@ -90,7 +90,7 @@ class TruthTable:
         if photographs is not None:
             behind = photographs.truths()
             known = {name: np.concatenate([v, behind[name]]) for name, v in known.items()}
-            names = [*names, *(f"photographed {k}" for k in range(len(photographs.kinds)))]
+            names = [*names, *(f"photographed {k}" for k in range(len(behind["part"])))]
         found = {name: torch.from_numpy(v).to(device or "cpu") for name, v in known.items()}
         self.statements, self.measures = found["statements"], found["measures"].float()
         self.panels, self.boxes = found["panels"], found["boxes"]

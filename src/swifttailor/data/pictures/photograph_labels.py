@@ -18,6 +18,7 @@ from swifttailor.describing.claims import CLAIM_TYPES
 from swifttailor.picture_reader.labels import PARTS, statement_labels
 from swifttailor.picture_reader.truth import FALSE, TRUE, UNCLEAR
 
+_OF_A_PORTRAIT = frozenset({"collar", "hood", "neckline", "shoulders", "straps", "sides"})
 Words = Mapping[str, tuple[str, ...]]
 """Some words of some claims."""
 
@@ -52,6 +53,14 @@ class PhotographKind:
         """Whether a word is not false of this kind."""
         told = claim in self.are or claim in self.may_be
         return not told or word in self.are.get(claim, ()) or word in self.may_be.get(claim, ())
+
+    def of_a_portrait(self) -> PhotographKind:
+        """What is told of it where no more than head and shoulders are seen."""
+        are, may_be = (
+            {claim: some for claim, some in words.items() if claim in _OF_A_PORTRAIT}
+            for words in (self.are, self.may_be)
+        )
+        return PhotographKind(self.part, are, may_be, self.middle, self.seen)
 
     def __post_init__(self) -> None:
         assert self.part in PARTS

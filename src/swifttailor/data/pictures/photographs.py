@@ -10,7 +10,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from swifttailor.data.pictures.cut_outs import on_a_ground, stands_free, white_around
+from swifttailor.arrays import Pixels
+from swifttailor.data.pictures.cut_outs import shown_person
 from swifttailor.data.pictures.odd_scenes import unread
 from swifttailor.data.pictures.photograph_lists import LISTS, listed
 from swifttailor.data.pictures.scenes import UNTOLD, Chance, Scene, linear_light
@@ -24,16 +25,14 @@ from swifttailor.render import Camera
 _EVENER = 0.5
 """Power of how many photographs of a label there are, by which labels are drawn."""
 _SIDES, _AWAY = (0.8, 1.12), 0.05
-"""Of what is shown of a photograph, in its longer sides, and by how much it is off the middle."""
+"""Of what is shown of clothes that nobody wears, in a photograph's longer sides; how far off the middle."""
 _PARTS_OF_NOTHING, _FAR_AWAY = (0.4, 1.12), 0.12
 """The same where there is nothing to read: any part will do."""
-_FAR = (0.8, 1.8)
-"""The same where a whole person is put before something else."""
+_PORTRAITS = 0.2
+"""Of people with a garment on their shoulders so many are shown down to the chest alone."""
 _CORNER = (0.12, 0.35)
 """Side of a corner that shows what a garment lies on, in shorter sides."""
 _FIELD_OF_VIEW = 14.0
-_ON_A_GROUND = 0.5
-"""Of photographs on white so many are put before something else."""
 
 
 class Photographs:
@@ -94,43 +93,50 @@ class Photographs:
         pixels = photograph.pixels()
         if chance.random() < 0.5:
             pixels = pixels[:, ::-1]
-        height, width = pixels.shape[:2]
-        longer = max(height, width)
         kind = photograph.main
-        replaced = photograph.is_worn and chance.random() < _ON_A_GROUND
-        ground = white_around(pixels) if replaced else None
-        sides = _PARTS_OF_NOTHING if kind is None else _SIDES
-        if ground is not None and stands_free(ground):
-            sides = _FAR
-        side = round(longer * float(chance.uniform(*sides)))
-        right, down = chance.normal(0, _AWAY if kind else _FAR_AWAY, 2) * longer
-        square = round((width - side) / 2 + right), round((height - side) / 2 + down), side
-        if ground is None:
-            shown = cut_square(pixels, square, size)
+        near = False
+        if photograph.is_worn:
+            near = kind is not None and kind.part == "upper" and chance.random() < _PORTRAITS
+            shown, side = shown_person(pixels, size, chance, near=near)
         else:
-            shown = on_a_ground(pixels, ground, square, size, chance)
+            shown, side = _cut_by_lot(pixels, size, chance, all_of_it=kind is not None)
         scene = unread(shown, "one" if kind else "none")
         if kind is None:
             return scene
-        camera = Camera(
-            (0.0, kind.middle, 0.0), kind.seen * side / longer, photograph.azimuth, 0.0, _FIELD_OF_VIEW
-        )
+        seen = kind.seen * side / max(pixels.shape[:2])
+        camera = Camera((0.0, kind.middle, 0.0), seen, photograph.azimuth, 0.0, _FIELD_OF_VIEW)
         garments = np.array(
             [
                 behind + number if number is not None else -1 if told else UNTOLD
                 for number, told in zip(self._numbers[chosen], photograph.told, strict=True)
             ]
         )
+        if near:
+            garments = np.array([garments[0] + len(self.kinds), -1])
         return scene._replace(views=view_of(camera, size), garments=garments, placed=False)
 
     def truths(self) -> dict[str, NDArray[Any]]:
-        """What is true of each of `kinds`, as `PictureBank.truths` has it; measures are unknown."""
-        count = len(self.kinds)
-        statements = [kind.statements() for kind in self.kinds]
+        """What is true of each of `kinds`, then of what a portrait shows of each; measures are unknown.
+
+        As `PictureBank.truths` has it.
+        """
+        kinds = (*self.kinds, *(kind.of_a_portrait() for kind in self.kinds))
+        count = len(kinds)
+        statements = [kind.statements() for kind in kinds]
         return {
-            "part": np.array([PARTS.index(kind.part) for kind in self.kinds], np.uint8),
+            "part": np.array([PARTS.index(kind.part) for kind in kinds], np.uint8),
             "statements": np.array(statements, np.uint8).reshape(count, len(statement_labels())),
             "measures": np.full((count, len(measure_labels())), np.nan, np.float32),
             "panels": np.zeros((count, len(PANEL_NAMES)), np.uint8),
             "boxes": np.zeros((count, len(PANEL_NAMES), len(BOX)), np.float32),
         }
+
+
+def _cut_by_lot(pixels: Pixels, size: int, chance: Chance, *, all_of_it: bool) -> tuple[Pixels, int]:
+    """A square of a photograph, (size, size, 3), and its side."""
+    height, width = pixels.shape[:2]
+    longer = max(height, width)
+    side = round(longer * float(chance.uniform(*(_SIDES if all_of_it else _PARTS_OF_NOTHING))))
+    right, down = chance.normal(0, _AWAY if all_of_it else _FAR_AWAY, 2) * longer
+    square = round((width - side) / 2 + right), round((height - side) / 2 + down), side
+    return cut_square(pixels, square, size), side
