@@ -171,6 +171,25 @@ def test_a_training_has_what_is_told(data, folder):
     assert not truth.clear[upper, 1].any()
 
 
+@pytest.mark.needs_torch
+def test_of_photographs_no_design_is_learnt(data, folder):
+    import torch
+
+    from swifttailor.parameter_reader.placed_designs import PlacedDesigns
+    from swifttailor.programs.read_parameter import ReadParameter
+    from swifttailor.training.design_table_torch import UNKNOWN, DesignTable
+
+    first, second = ReadParameter("a", ("x", "y")), ReadParameter("b", ("x", "y", "z", "w"))
+    designs = PlacedDesigns(
+        (first, second), {"one": 0}, np.array([[1, 2]], np.uint8), np.array([[True, True]])
+    )
+    table = DesignTable(["one", "photographed 0"], designs)
+    said = table.unknown(torch.tensor([[1, 1]]))
+    assert said.shape == (1, 2, 2, 4)
+    np.testing.assert_allclose(said[0, 0], UNKNOWN * np.array([[0.5, 0.5, 0, 0], [0.25, 0.25, 0.25, 0.25]]))
+    assert table.answers(torch.tensor([0]), torch.ones(1, 2, dtype=torch.bool))[0, 0, 1] > 0.5
+
+
 def test_shops_photographs_are_laid_out(tmp_path, monkeypatch):
     import runpy
     import sys

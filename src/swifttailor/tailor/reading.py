@@ -35,6 +35,7 @@ from swifttailor.render.picture_file import read_picture
 from swifttailor.tailor.looking import ReadsPictures, SeenPicture, look_at, part_wanted
 from swifttailor.tailor.order import NO_READER, Order, one_line
 from swifttailor.tailor.picture_color import color_taken
+from swifttailor.tailor.picture_words import in_words, is_vague
 from swifttailor.tailor.seen_wishes import LEAST_CUT, LEAST_CUT_OF_DRAFT, not_overruled, seen_wishes
 from swifttailor.wishes.heard import HEARD_NOTHING, Heard
 from swifttailor.wishes.hearing import hear_description
@@ -107,6 +108,8 @@ class Wanted:
     """What the pictures show less surely is not cut."""
     seen_color: SeenColor | None = None
     """Of its cloth in the first picture, where words leave it to that."""
+    in_words: PartReading | None = None
+    """What the pictures say of the garment, where that was put into words and these joined the text."""
     shown: frozenset[Change] = frozenset()
     """What is true to the eye of the draft that it begins from, though not as it is measured."""
 
@@ -316,12 +319,48 @@ def _read_order(order: Order, reader: WishReader | None, eyes: ReadsPictures | N
         doubt = (str(error),)
         return Wanted(order, text, None, sure, likely, pictures=pictures, warnings=doubt, heard=heard)
     kept, gone = not_overruled(seen_wishes(part), (*sure, *likely))
+    plain = any(one.reading.is_plain for one in pictures)
+    if order.source in ("both", "drafts") and order.edit is None and not plain and is_vague(part):
+        named = heard.kind is not None
+        return _put_into_words(order, reader, pictures, part, gone, named=named)
     image, notes = _shown(pictures[0], order.crop)
     sure = (*sure, *(w for w in kept if w.certainty >= SURE))
     likely = (*likely, *(w for w in kept if w.certainty < SURE))
     doubts, color = _doubts(pictures), color_taken(pictures[0], part.part, heard)
     return Wanted(
         order, text, image, sure, likely, notes, pictures, part, kept, gone, doubts, heard, seen_color=color
+    )
+
+
+def _put_into_words(
+    order: Order,
+    reader: WishReader,
+    pictures: tuple[SeenPicture, ...],
+    part: PartReading,
+    gone: tuple[Wish, ...],
+    *,
+    named: bool,
+) -> Wanted:
+    """An order whose pictures are photographs, as if their words had been typed beside the text."""
+    names = frozenset(w.change.claim.name for w in gone if isinstance(w.change, Gain))
+    words = in_words(part, names, named=named)
+    typed = [order.text.strip().rstrip(".,"), words] if named else [words, order.text.strip()]
+    heard = _heard(replace(order, text=", ".join(filter(None, typed))), reader)
+    note = f"The picture was put into words: {words}."
+    doubts, color = _doubts(pictures), color_taken(pictures[0], part.part, heard)
+    return Wanted(
+        order,
+        heard.text,
+        None,
+        heard.sure,
+        heard.likely,
+        (note,),
+        pictures,
+        overruled=gone,
+        warnings=doubts,
+        heard=heard,
+        seen_color=color,
+        in_words=part,
     )
 
 

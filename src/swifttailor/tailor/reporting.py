@@ -177,7 +177,7 @@ def _pictures(wanted: Wanted) -> dict[str, Any]:
 
     return {
         "read": [{"name": one.name} | one.reading.to_json() for one in wanted.pictures],
-        "part": None if wanted.part is None else wanted.part.part,
+        "part": None if (part := wanted.part or wanted.in_words) is None else part.part,
         "color": None if wanted.seen_color is None else color_report(wanted.seen_color),
         "likely": lines([w for w in wanted.likely if w in wanted.seen]),
         "overruled_by_text": lines(wanted.overruled),

@@ -163,7 +163,8 @@ class Tailored:
         from swifttailor.render.png import encode_png
         from swifttailor.tailor.seen_sheet import draw_seen
 
-        part = None if wanted.part is None else wanted.part.part
+        shown = wanted.part or wanted.in_words
+        part = None if shown is None else shown.part
         write_bytes(folder / SEEN, encode_png(draw_seen(wanted.pictures, part)))
 
 

@@ -11,6 +11,9 @@ from torch import Tensor
 from swifttailor.parameter_reader.placed_designs import PlacedDesigns, nearly_right
 from swifttailor.picture_reader.close_designs import ASYMMETRIC
 
+UNKNOWN = 0.25
+"""What a parameter counts of a garment that was photographed: no design is known, and none is to be said."""
+
 
 class DesignTable:
     """Of all garments of a training."""
@@ -37,6 +40,9 @@ class DesignTable:
         self._right = torch.from_numpy(right).to(device)
         self._places = torch.from_numpy(places).to(device)
         self._matter = torch.from_numpy(matter).to(device)
+        self._any = torch.zeros(count, most, device=device)
+        for k, one in enumerate(designs.parameters if designs else ()):
+            self._any[k, : len(one.values)] = UNKNOWN / len(one.values)
         self._each = torch.arange(count, device=device)
         self.names = tuple(one.name for one in designs.parameters) if designs else ()
         self.asymmetric = torch.zeros(len(ids), dtype=torch.bool, device=device)
@@ -58,3 +64,7 @@ class DesignTable:
         """
         right = self._right[self._each, self._places[garments].long()]
         return right * (self._matter[garments] & told)[..., None]
+
+    def unknown(self, garments: Tensor) -> Tensor:
+        """The same of photographed garments (...): all values alike, which counts less."""
+        return self._any.expand(*garments.shape, *self._any.shape)

@@ -131,6 +131,8 @@ class TruthTable:
         # Of photographs neither measures nor panels are known.
         drawn = (garments < self.garments)[..., None]
         told = told._replace(measures=told.measures & drawn, panels=told.panels & drawn)
+        designed = self.designs.answers(k, present[..., None] & designs[:, None])
+        designed = torch.where(drawn[..., None], designed, self.designs.unknown(k))
         return Answers(
             present.float(),
             garments != UNTOLD,
@@ -150,5 +152,5 @@ class TruthTable:
             places,
             cells % SEAM - 1,
             (cells >= SEAM).float(),
-            self.designs.answers(k, present[..., None] & designs[:, None]),
+            designed,
         )
