@@ -19,7 +19,8 @@ from swifttailor.recutting import alter as alter_it
 from swifttailor.tailor.answer import Answer
 from swifttailor.tailor.fitting import fit
 from swifttailor.tailor.order import Order
-from swifttailor.tailor.reading import Wanted, read_order
+from swifttailor.tailor.orders_read import read_order
+from swifttailor.tailor.reading import Wanted
 from swifttailor.tailor.writing import WARMER, write_patterns
 from swifttailor.wishes.reader import Wish
 from swifttailor.wishes.sureness import sure_wishes

@@ -20,7 +20,7 @@ from swifttailor.pattern_library.sought import Sought
 from swifttailor.picture_reader.labels import statement_labels
 from swifttailor.tailor import Order, Tailor
 from swifttailor.tailor.known import KNOWN_ATTEMPTS, KnownCandidates
-from swifttailor.tailor.reading import read_order
+from swifttailor.tailor.orders_read import read_order
 from swifttailor.wishes.reader import Wish
 
 DRAFTS = {

@@ -16,12 +16,13 @@ from swifttailor.describing import Claim, measure_facts
 from swifttailor.describing.differences import Gain
 from swifttailor.errors import InputError, NothingSeenError
 from swifttailor.pattern.drafts import draft
-from swifttailor.picture_reader.reading import Measure
+from swifttailor.picture_reader.reading import Measure, PictureReading
 from swifttailor.picture_reader.seen_design import SeenDesign
 from swifttailor.picture_reader.together import together
 from swifttailor.programs.read_parameter import ReadParameter
+from swifttailor.render import Camera
 from swifttailor.tailor import Order, Tailor
-from swifttailor.tailor.looking import part_wanted, parts_seen
+from swifttailor.tailor.looking import SeenPicture, part_wanted, parts_cut_off, parts_seen
 from swifttailor.tailor.seen_wishes import not_overruled, seen_wishes
 from swifttailor.wishes.reader import Wish
 
@@ -275,3 +276,41 @@ def test_without_a_reader_the_network_alone_sees_the_picture_and_that_is_said(bl
         blind.look(PHOTO)
     with pytest.raises(InputError, match="--picture-reader-weights"):
         blind.generate(image=PHOTO, part="upper")
+
+
+def seen_rows(upper, lower, high=90):
+    """A picture in which garments are seen in these rows."""
+    parts = []
+    for part, (first, last) in ((SHIRT, upper), (TROUSERS, lower)):
+        mask = np.zeros((high, 60), np.float32)
+        mask[first:last, 20:40] = 1
+        parts.append(replace(part, mask=mask))
+    reading = PictureReading(tuple(parts), Camera(), (0, 0, high, high))
+    return SeenPicture(np.zeros((high, 60, 3), np.uint8), reading)
+
+
+@pytest.mark.parametrize(
+    ("upper", "lower", "seen"),
+    [
+        ((10, 60), (62, 90), ("upper",)),  # trousers, cut off at the thigh
+        ((10, 60), (60, 85), ("upper", "lower")),  # shorts
+        ((10, 50), (50, 90), ("upper", "lower")),
+        ((0, 12), (12, 80), ("lower",)),  # the hem of a shirt
+        ((0, 30), (30, 80), ("lower", "upper")),
+    ],
+)
+def test_of_what_an_edge_leaves_little_nothing_is_made(upper, lower, seen):
+    picture = seen_rows(upper, lower)
+    assert parts_seen([picture]) == seen
+    rest = {"upper", "lower"} - set(seen)
+    assert set(parts_cut_off([picture])) == rest
+    for part in ("upper", "lower"):
+        assert part_wanted([picture], part).part == part, "but it may be asked for"
+
+
+def test_what_is_left_out_is_told(sewer):
+    made = tailor(sewer, ()).generate(image=seen_rows((10, 60), (62, 90)))
+    assert any(
+        "cuts off most of a garment on the lower body" in note and "--part lower" in note
+        for note in made.notes
+    )

@@ -21,6 +21,10 @@ PARTS: tuple[Part, ...] = get_args(Part)
 _WHOLE_KINDS = ("dress", "jumpsuit")
 _TOLD = 0.99
 """How sure it is what a person says of a picture."""
+_LEAST_SEEN = {"upper": 0.3, "lower": 0.6}
+"""How high what an edge cuts off has to be, as a share of how high the other garment is seen."""
+_AT_EDGE = 0.02
+"""Of the height of a picture."""
 
 
 class ReadsPictures(Protocol):
@@ -58,7 +62,10 @@ def look_at(image: Image | SeenPicture, reader: ReadsPictures) -> SeenPicture:
 
 
 def parts_seen(pictures: Sequence[SeenPicture]) -> tuple[Part, ...]:
-    """The parts of the body on which all pictures show a garment, that which covers most first."""
+    """The parts of the body on which all pictures show a garment, that which covers most first.
+
+    Not those of which an edge of a picture leaves little beside another: nobody can tell what they are.
+    """
     if not pictures or any(one.reading.figures == "none" for one in pictures):
         return ()
     covers: dict[str, list[float]] = {}
@@ -66,8 +73,29 @@ def parts_seen(pictures: Sequence[SeenPicture]) -> tuple[Part, ...]:
         for part in one.reading.parts:
             covers.setdefault(part.part, []).append(float((part.mask > 0.5).mean()))
     seen = [name for name, shares in covers.items() if len(shares) == len(pictures)]
+    seen = [name for name in seen if not any(_is_cut_off(one, name) for one in pictures)] or seen
     seen.sort(key=lambda name: -sum(covers[name]))
     return tuple(name for name in seen if name in PARTS)
+
+
+def parts_cut_off(pictures: Sequence[SeenPicture]) -> tuple[Part, ...]:
+    """The parts on which a garment is seen of which an edge of a picture leaves little."""
+    read = [{part.part for part in one.reading.parts} for one in pictures]
+    found = set.intersection(*read).difference(parts_seen(pictures)) if read else set()
+    return tuple(name for name in PARTS if name in found)
+
+
+def _is_cut_off(picture: SeenPicture, name: str) -> bool:
+    """Whether the lower edge leaves little of what covers the legs, or the upper one of what is above."""
+    rows = {one.part: np.flatnonzero((one.mask > 0.5).any(axis=1)) for one in picture.reading.parts}
+    own, other = rows[name], rows.get("upper" if name == "lower" else "lower")
+    if other is None or not len(own) or not len(other):
+        return False
+    high, share = np.ptp(own) + 1, _LEAST_SEEN[name] * (np.ptp(other) + 1)
+    last = len(picture.pixels) - 1
+    margin = _AT_EDGE * last
+    at_edge = own[-1] >= last - margin if name == "lower" else own[0] <= margin
+    return bool(at_edge and high < share)
 
 
 def part_wanted(pictures: Sequence[SeenPicture], part: Part | None) -> PartReading:
@@ -81,6 +109,12 @@ def part_wanted(pictures: Sequence[SeenPicture], part: Part | None) -> PartReadi
         NothingSeenError: No garment is seen there.
     """
     seen = parts_seen(pictures)
+    if (
+        part in PARTS
+        and part not in seen
+        and all(any(p.part == part for p in o.reading.parts) for o in pictures)
+    ):
+        seen = (*seen, part)  # little of it, but asked for
     name = part
     if part is None or (part == "whole" and "upper" not in seen):
         name = next(iter(seen), None)

@@ -279,7 +279,7 @@ class Tailor(Workshop):
         Raises:
             SwiftTailorError: See `read_order`.
         """
-        from swifttailor.tailor.reading import read_order
+        from swifttailor.tailor.orders_read import read_order
 
         if not order.alter:
             return read_order(order, None)
