@@ -39,6 +39,23 @@ def test_direction_and_size_are_obeyed():
     assert "down the body" in print_line(down) and "2 and 2 cm" in print_line(down)
 
 
+@pytest.mark.parametrize(
+    ("text", "angle", "width"),
+    [
+        ("a striped shirt", 90, 1.2),
+        ("striped pyjama bottoms", 90, 1.2),
+        ("wide striped shirt", 90, 6),
+        ("shirt with 3 cm stripes", 90, 3),
+        ("shirt with horizontal stripes", 0, 2.5),
+        ("a striped tee", 0, 2.5),
+        ("a striped jumper", 0, 2.5),
+    ],
+)
+def test_stripes_run_down_shirts_and_trousers_and_around_knits(text, angle, width):
+    found = asked(text)
+    assert found is not None and (found.size("angle"), found.size("width")) == (angle, width)
+
+
 def test_no_print_is_heard_where_none_is_asked_for():
     assert asked("a plain blue dress") is None and asks_for_plain(read_words("a plain blue dress"))
     assert asked("a dress without stripes") is None and asks_for_plain(read_words("a dress without stripes"))

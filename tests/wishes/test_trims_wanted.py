@@ -142,7 +142,22 @@ def test_trims_of_entries_stand_for_what_they_cannot_have():
 def test_edging_is_put_on_unasked_where_the_tables_give_it_to_a_name():
     (edged,) = [wish for wish in trims_wanted(heard("a folk waistcoat"), kind="top") if wish.what == "braid"]
     assert edged.choices[0] == ("edging",) and not edged.said
-    assert "braid" not in {wish.what for wish in trims_wanted(heard("tuxedo trousers"), kind="trousers")}
+    (striped,) = trims_wanted(heard("tuxedo trousers"), kind="trousers")
+    assert striped.choices[0] == ("side stripes",)
+
+
+@pytest.mark.parametrize(
+    ("text", "trim"),
+    [
+        ("track pants with white stripes down the legs", "side stripes"),
+        ("a dress with side stripes", "side stripes"),
+        ("a hoodie, red stripe down each sleeve", "sleeve stripes"),
+    ],
+)
+def test_stripes_down_seams_are_put_on_and_no_print(text, trim):
+    asked = heard(text)
+    (striped,) = [wish for wish in trims_wanted(asked) if wish.what == "side_stripes"]
+    assert striped.choices[0] == (trim,) and asked.print is None
 
 
 def test_frills_of_the_sleeves_are_put_there_alone():

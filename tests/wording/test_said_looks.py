@@ -41,6 +41,8 @@ burgundy dress with an ivory Peter Pan collar | burgundy | collar ivory
 navy coat with brass buttons and a black belt | navy | buttons brass, belt black
 red coat with gold buttons | red | buttons gold
 dress with white piping | | edging white
+tracksuit top, white stripes down the sleeves | | side_stripes white
+black trousers with red stripes down the legs | black | side_stripes red
 dress with black boots | | - black
 oversized mesh t-shirt | | all mesh
 sheer black dress | black | all sheer

@@ -85,6 +85,7 @@ TRIMS_OF_PARTS: Mapping[str, tuple[str, ...]] = {
     "frills": ("neck frill", "sleeve frills", "hem frill"),
     "fringe": ("hem fringe",),
     "edging": ("edging", "lace trim"),
+    "side_stripes": ("side stripes", "sleeve stripes"),
     "bow": ("neck bow", "waist bow", "back bow", "back ties"),
     "lacing": ("lacing", "back lacing"),
     "apron": ("apron",),

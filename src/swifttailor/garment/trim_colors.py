@@ -30,6 +30,7 @@ _LOOKS_COLORED: Mapping[str, tuple[str, ...]] = {
     "frills": ("cloth",),
     "fringe": ("cloth",),
     "edging": ("cloth",),
+    "side_stripes": ("cloth",),
     "bow": ("cloth",),
     "lacing": ("dark",),
     "apron": ("cloth",),
@@ -40,6 +41,8 @@ _IN_ANOTHER: Mapping[str, tuple[str, str]] = {
     "apron": ("#f3efe6", "#e2dccf"),
     "edging": ("#f3efe6", "#33415c"),
     "lace trim": ("#f3efe6", "#c9bfae"),
+    "side stripes": ("#f3efe6", "#26324a"),
+    "sleeve stripes": ("#f3efe6", "#26324a"),
 }
 """What is of another colour than the cloth, where none is told: on darker cloth, and on light cloth."""
 _UNDYED, _PALE = "#f1efe9", 0.62

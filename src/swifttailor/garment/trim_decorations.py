@@ -129,7 +129,7 @@ def _runs(garment: Garment, frill: Frill) -> Iterator[tuple[Floats, Floats, Floa
             if a != b:
                 after.setdefault(a, set()).add(b)
                 after.setdefault(b, set()).add(a)
-    inside = _inward(garment)
+    inside = _inward(garment, {ref.panel for ref in frill.edges})
     for run in _chains(after):
         points = garment.vertices[run]
         away = -inside[run]
@@ -166,13 +166,15 @@ def _travelled(line: Floats) -> Floats:
     return np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(line, axis=0), axis=1))])
 
 
-def _inward(garment: Garment) -> Floats:
-    """(v, 3) from every vertex to the middle of the faces around it."""
-    centres = garment.vertices[garment.faces].mean(axis=1)
+def _inward(garment: Garment, panels: set[str]) -> Floats:
+    """(v, 3) from every vertex to the middle of the faces around it that are of some panels."""
+    numbers = [garment.mesh.pattern.panel_index(panel) for panel in panels]
+    faces = garment.faces[np.isin(garment.mesh.face_panel, numbers)]
+    centres = garment.vertices[faces].mean(axis=1)
     total, count = np.zeros_like(garment.vertices), np.zeros(len(garment.vertices))
     for corner in range(3):
-        np.add.at(total, garment.faces[:, corner], centres)
-        np.add.at(count, garment.faces[:, corner], 1.0)
+        np.add.at(total, faces[:, corner], centres)
+        np.add.at(count, faces[:, corner], 1.0)
     return total / np.maximum(count, 1.0)[:, None] - garment.vertices
 
 

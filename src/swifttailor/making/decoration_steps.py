@@ -23,6 +23,8 @@ _TITLES: Mapping[str, str] = {
     "frayed hem": "Frayed hems",
     "edging": "Edging",
     "lace trim": "Lace",
+    "side stripes": "Stripes down the sides",
+    "sleeve stripes": "Stripes down the sleeves",
 }
 _RIPS = (
     "Rips",
@@ -122,6 +124,11 @@ def _frill(frill: Frill) -> str:
             f"Cut strips of ribbed knit {2 * frill.depth + 2:.0f} cm wide, {_RIB_SHARE * length:.0f} cm "
             f"in all. Close them to rings, fold them lengthwise, stretch them to {length:.0f} cm, and sew "
             "them to the edge."
+        )
+    if frill.trim in ("side stripes", "sleeve stripes"):
+        return (
+            f"Sew ribbon {2 * frill.depth:.1f} cm wide over the seams, {length:.0f} cm in all, along both of "
+            "its edges, before what lies across its ends is sewn."
         )
     what = "fringe" if frill.kind == "threads" else "ribbon or braid" if frill.trim == "edging" else "lace"
     return f"Sew {length:.0f} cm of {what}, {frill.depth:.1f} cm wide, along the finished edges."

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from swifttailor.garment.cloth_print import KINDS, ClothPrint
 from swifttailor.wishes.mentions import find_mentions
@@ -34,6 +34,12 @@ _SLANTED = re.compile(
     r"(?<!\w)(?:diagonal\w*|slanted|bias|schräg\w*|diagonales?|diagonais|schuin\w*)(?!\w)", re.IGNORECASE
 )
 _DIRECTIONS = ((_SLANTED, 45.0), (_DOWN, 90.0), (_ACROSS, 0.0))
+_STRIPED_DOWN = frozenset(
+    "shirt shirt-dress blazer waistcoat trousers pull-on-trousers jeans flares coat dungarees".split()
+)
+"""Drafts of garments whose stripes run down, where no more is said of them; knitted ones are hooped."""
+_SHIRTING_CM = 1.2
+"""So wide are stripes of shirts and trousers, where no more is said of them."""
 _BEHIND = 24
 """Characters behind the name of a print in which its size may stand."""
 _SIZE = {"stripes": ("width", "gap"), "checks": ("width",), "plaid": ("spacing",), "motif": ("repeat",)}
@@ -51,6 +57,8 @@ def heard_print(text: str, words: WordReading) -> ClothPrint | None:
         return None
     named = next(entry.print for entry in mark.entries if entry.print is not None)
     sizes = dict(named.sizes) | _stated_sizes(text, mark, named.kind)
+    if named.kind == "stripes" and "angle" not in sizes and _is_striped_down(words):
+        sizes = dict.fromkeys(("width", "gap"), _SHIRTING_CM) | _unlike(sizes, "stripes") | {"angle": 90.0}
     turned = next((angle for words_, angle in _DIRECTIONS if words_.search(text)), None)
     if turned is not None and named.kind in ("stripes", "checks", "plaid"):
         sizes["angle"] = turned
@@ -81,6 +89,19 @@ def print_line(found: ClothPrint) -> str:
 
 def _kind(mark: WordMark) -> str:
     return next((entry.print.kind for entry in mark.entries if entry.print is not None), "")
+
+
+def _is_striped_down(words: WordReading) -> bool:
+    """Whether the first garment that is named is one whose stripes run down."""
+    marks = [m for m in words.marks if m.role == "garment" and not m.denied]
+    drafts = [draft.name for entry in marks[0].entries for draft in entry.drafts] if marks else []
+    return bool(drafts) and drafts[0] in _STRIPED_DOWN
+
+
+def _unlike(sizes: Mapping[str, float], kind: str) -> dict[str, float]:
+    """Sizes that are not merely what is usual of a print."""
+    usual = ClothPrint(kind, ())
+    return {name: value for name, value in sizes.items() if value != usual.size(name)}
 
 
 def _motif(mark: WordMark) -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from swifttailor.describing.claims import Claim
 from swifttailor.describing.differences import Gain
+from swifttailor.wishes.named_collars import named_collars
 from swifttailor.wishes.reader import Wish
 from swifttailor.wording.lexicon import WordReading
 from swifttailor.wording.lexicon.reading import Implication
@@ -72,8 +73,9 @@ def against_names(words: WordReading) -> dict[Claim, Claim]:
 
 
 def against_phrases(words: WordReading) -> tuple[Claim, ...]:
-    """What phrases of several words speak against: "above the ankle" is no ankle."""
+    """What phrases of several words speak against: "above the ankle" is no ankle, a tab collar is one."""
     implied = {i.claim for i in words.implications}
     told = [i for i in words.implications if i.said and not i.mark.denied and _words(i) >= _PART]
     against = [claim for i in told for entry in i.mark.entries for claim in entry.against]
+    against += named_collars(words)
     return tuple(dict.fromkeys(claim for claim in against if claim not in implied))

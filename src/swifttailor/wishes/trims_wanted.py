@@ -33,6 +33,7 @@ TRIMS_OF: Mapping[str, tuple[str, ...]] = {
     "ties": ("tie belt", "neck bow", "waist bow", "back bow", "back ties"),
     "braid": ("edging",),
     "lace": ("lace trim",),
+    "side_stripes": ("side stripes", "sleeve stripes"),
     "frills": _FRILLS,
     "lacing": ("lacing",),
     "boning": ("boning",),

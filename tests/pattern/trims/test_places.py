@@ -60,6 +60,8 @@ SHOULD_HAVE = {
     "hem fringe": (*SKIRTS, *DRESSES, "denim-jacket"),
     "edging": (*SKIRTS, *DRESSES, *TOPS),
     "lace trim": (*SKIRTS, *DRESSES, "camisole"),
+    "side stripes": (*TROUSERS, *SKIRTS[:2], "shift-dress", "t-shirt"),
+    "sleeve stripes": ("t-shirt", "bomber-jacket", "sweatshirt", "hoodie"),
     "neck bow": (*TOPS, "shirt-dress"),
     "waist bow": ("skater-dress", "fitted-dress", "fitted-skirt"),
     "lacing": ("t-shirt", "shirt", "skater-dress", "bustier"),

@@ -43,6 +43,8 @@ TRIMS: Mapping[str, str] = {
     "hem fringe": "fringe along the hem",
     "edging": "edging in another colour",
     "lace trim": "a lace trim along the edges",
+    "side stripes": "stripes down the sides",
+    "sleeve stripes": "stripes down the sleeves",
     "neck bow": "a bow at the neck",
     "waist bow": "a bow at the waist",
     "lacing": "lacing down the front",

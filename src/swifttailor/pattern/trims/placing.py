@@ -20,6 +20,7 @@ from swifttailor.pattern.trims.chalk import Chalk
 from swifttailor.pattern.trims.diagonal_closing import diagonal_closing
 from swifttailor.pattern.trims.rips import frayed_hem, rips
 from swifttailor.pattern.trims.shapes import Trim
+from swifttailor.pattern.trims.side_stripes import side_stripes, sleeve_stripes
 from swifttailor.pattern.trims.stirrups import stirrups
 
 _PLACES: Mapping[str, Callable[[Chalk, str], list[Trim]]] = {
@@ -58,6 +59,8 @@ _PLACES: Mapping[str, Callable[[Chalk, str], list[Trim]]] = {
     "hem fringe": decorations.hem_frill,
     "edging": decorations.edging,
     "lace trim": decorations.edging,
+    "side stripes": side_stripes,
+    "sleeve stripes": sleeve_stripes,
     "neck bow": decorations.neck_bow,
     "waist bow": decorations.waist_bow,
     "lacing": decorations.lacing,

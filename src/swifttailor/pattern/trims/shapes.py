@@ -61,11 +61,11 @@ class Belt:
 
 @dataclass(frozen=True)
 class Frill:
-    """A strip that is sewn to free edges: gathered, cut into threads, or flat."""
+    """A strip that is sewn to edges: gathered, cut into threads, or flat. Stripes lie beside seams."""
 
     trim: str
     edges: tuple[EdgeRef, ...]
-    """Free edges of panels, in any order."""
+    """Edges of panels, free ones but for stripes, in any order."""
     depth: float
     """How far it goes beyond them, cm; of a flat one, how wide it is."""
     length: float

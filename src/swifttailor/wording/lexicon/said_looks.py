@@ -23,6 +23,8 @@ WHOLE = "all"
 OPAQUE, OTHER = "opaque", "other"
 _KNITS = frozenset({"jersey", "rib-knit", "sweatshirt", "ponte", "fleece"})
 """Cloths that collars, cuffs and bands usually are of."""
+_STRIPES = "side_stripes"
+"""Named by the parts that they run down, whose colour is not meant: "white stripes down the sleeves"."""
 _PUT_ON = {
     "buttons": "buttons",
     "zip": "zip",
@@ -36,6 +38,7 @@ _PUT_ON = {
     "apron": "apron",
     "braid": "edging",
     "lace": "edging",
+    "side_stripes": _STRIPES,
     "ties": "bow",
 }
 """By key of what cannot be made of panels, what is put on for it."""
@@ -318,7 +321,8 @@ class _Reader:
                 return _PUT_ON["apron"]
             apart = mark.role in ("second", "theirs") and not _is_outfit(mark)
             return _part_of_garment(mark) or ("" if apart else None)
-        return mark.part or _put_on(mark) or ""
+        put_on = _put_on(mark)
+        return put_on if put_on == _STRIPES else mark.part or put_on or ""
 
     def _is_apart(self, j: int) -> bool:
         first, _, more = self._marks[j].word.lower().partition(" ")
