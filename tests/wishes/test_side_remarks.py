@@ -24,6 +24,9 @@ from swifttailor.wishes.side_remarks import without_side_remarks
         ("I already have the jacket, just need trousers in navy", "need trousers in navy"),
         ("trousers for a suit, the jacket I have is grey herringbone", "trousers for a suit"),
         ("a blouse under my black pinafore dress", "a blouse"),
+        ("pinafore for over a polo neck, mustard", "pinafore, mustard"),
+        ("vest top for under shirts, white", "vest top, white"),
+        ("a gilet for wearing over a thick jumper", "a gilet"),
         (
             "racerback, long enough to cover the waistband of my leggings",
             "racerback, long enough to cover it",

@@ -32,6 +32,7 @@ from swifttailor.wishes.long_names import (
     is_against_phrase,
     is_long_name,
 )
+from swifttailor.wishes.made_into import made_into_a_dress
 from swifttailor.wishes.mentions import find_mentions
 from swifttailor.wishes.one_arm import of_one_arm, of_two_arms, with_both_arms, without_guessed_length
 from swifttailor.wishes.reader import SURE, Wish, WishReader
@@ -107,7 +108,7 @@ def _is_named(heard: Heard) -> bool:
 
 
 def _heard_description(text: str, reader: WishReader) -> Heard:
-    text, words = text_as_read(without_side_remarks(without_asides(text)))
+    text, words = text_as_read(made_into_a_dress(without_side_remarks(without_asides(text))))
     own, before = text, words
     if (plain := plainly_wished(text)) != text:
         text, words = plain, read_words(plain)
@@ -246,8 +247,7 @@ def _within_names(network: Sequence[Wish], words: WordReading) -> list[Wish]:
     drafted = [i for i in implied if any(e.drafts and not e.is_mere_kind for e in i.mark.entries)]
     most = {i.claim: SURENESS[i.certainty] for i in drafted}
     told = {i.claim.name for i in words.implications} if most and not words.unknown else None
-    sure = [i.claim for i in implied if i.claim.name == "kind" and i.certainty == "certain"]
-    kind = next(iter(sure), None)
+    kind = next((i.claim for i in implied if i.claim.name == "kind" and i.certainty == "certain"), None)
     spoken = None if words.unknown else subjects_spoken_of(words)
     named = [i.claim for i in implied]
     found = []

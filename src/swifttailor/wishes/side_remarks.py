@@ -43,6 +43,11 @@ _REMARKS = (
         re.IGNORECASE,
     ),
     re.compile(
+        r",?\s*(?<![\w-])for (?:(?:wearing|putting|layering|going|on|use)\s)?(?:over|on top of|under|underneath|"
+        rf"beneath|inside) {_WORDS_BEFORE}{_HEAD}{_NOT_ALONE}{_OWN}",
+        re.IGNORECASE,
+    ),
+    re.compile(
         r"\s*(?<![\w-])(?:over|on top of|under|underneath|beneath|inside|below|above|past|with) "
         rf"(?:my|her|his|their) {_WORDS_BEFORE}{_HEAD}{_NOT_ALONE}{_OWN}",
         re.IGNORECASE,
