@@ -19,8 +19,13 @@ def test_tweed_alone_is_flecked_and_keeps_its_colour_between_its_threads():
 @pytest.mark.parametrize(
     ("text", "colors"),
     [
-        ("cherry print dress", ("#f6f1e6", "#b3202c")),
-        ("white dress with cherry print", ("#ffffff", "#b3202c")),
+        ("cherry print dress", ("#f6f1e6", "#b3202c", "#3f7a3c")),
+        ("white dress with cherry print", ("#ffffff", "#b3202c", "#3f7a3c")),
+        ("ladybird print dress", ("#f6f1e6", "#b3202c")),
+        ("pj bottoms with little foxes on", ("#dfe6e2", "#d0702c", "#f8f2e6", "#33261f")),
+        ("a blue dress with bees", ("#365c96", "#efc03a", "#c9d8e2", "#2b2622")),
+        ("navy dress with white stars", ("#1f2a44", "#ffffff")),
+        ("dress with red hearts", ("#f4f1e8", "#ab252e")),
         ("pinstripe trousers", ("#2a2f3a", "#7f8794")),
         ("hi-vis vest", ("#d8ef1e", "#c8cbce")),
         ("orange hi-vis vest", ("#d98244", "#c8cbce")),

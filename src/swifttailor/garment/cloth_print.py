@@ -18,7 +18,33 @@ if TYPE_CHECKING:
 PRINT = "print"
 """What a report calls it."""
 KINDS = ("stripes", "checks", "plaid", "dots", "motif")
-MOTIFS = ("flowers", "leaves", "blotches", "spots", "shapes", "bands")
+MOTIFS = (
+    *("flowers", "leaves", "blotches", "spots", "shapes", "bands"),
+    *(
+        "hearts",
+        "stars",
+        "moons",
+        "bolts",
+        "cherries",
+        "strawberries",
+        "lemons",
+        "mushrooms",
+        "foxes",
+        "cats",
+    ),
+    *(
+        "bears",
+        "rabbits",
+        "birds",
+        "butterflies",
+        "bees",
+        "fishes",
+        "dinosaurs",
+        "anchors",
+        "boats",
+        "splatters",
+    ),
+)
 TEXTURE_SIDE = 2048
 """Pixels: a millimetre or two of cloth each."""
 _SMALLEST_CM, _LARGEST_CM = 0.05, 200.0
@@ -61,6 +87,7 @@ class ClothPrint:
             grain: Unevenness of the yarn, relative.
         """
         from swifttailor.render.color import to_linear
+        from swifttailor.render.drawn_figures import FIGURES
         from swifttailor.render.motifs import BANDS
         from swifttailor.render.prints import Checks, Dots, Motif, Plaid, Stripes
 
@@ -78,7 +105,8 @@ class ClothPrint:
             return Plaid(first, second, red_green_blue[-1], self.size("spacing"), angle=angle, grain=grain)
         if self.kind == "dots":
             return Dots(first, second, self.size("spacing"), self.size("radius"), angle, grain)
-        number = BANDS if self.motif == "bands" else MOTIFS.index(self.motif)
+        number = BANDS + 1 + FIGURES.index(self.motif) if self.motif in FIGURES else MOTIFS.index(self.motif)
+        number = BANDS if self.motif == "bands" else number
         return Motif(tuple(red_green_blue), number, self.size("repeat"), angle, grain)
 
     def to_json(self) -> dict[str, Any]:

@@ -151,7 +151,7 @@ def color_at(u, v, x, y, z, table, layers, bank, out):
                 share = (_band(i, a * b, a - a * b) + _band(j, a * b, a - a * b)) / 2
             elif kind == 6:
                 number = int(a)
-                if number != BANDS:
+                if number < BANDS:
                     number %= MOTIFS
                 first = FIRST_MOTIF + number * SIDE * SIDE
                 color, share = _COLORS + 3 * _cell(bank, first, SIDE, i / b, j / b), 1.0

@@ -15,9 +15,31 @@ _USUAL_COLORS = {
     "leaves": ("#f4f1e8", "#3f6b46", "#7fa070", "#c2a25c"),
     "spots": ("#cfa56b", "#35261a", "#8a6238", "#5b4127"),
     "blotches": ("#6f7758", "#3c4530", "#a89e76", "#2b2b23"),
+    "hearts": ("#f6f1ea", "#c8354a"),
+    "stars": ("#1f2a44", "#e9c85c"),
+    "moons": ("#1f2a44", "#e9dfb4", "#e9c85c"),
+    "bolts": ("#f4f1e8", "#e2b32c"),
+    "cherries": ("#f6f1e6", "#b3202c", "#3f7a3c"),
+    "strawberries": ("#f6f1e6", "#c92f38", "#3f7a3c", "#f3dfa0"),
+    "lemons": ("#f4f1e8", "#f0cf3a", "#4f8a48", "#fbeea0"),
+    "mushrooms": ("#dfe5d0", "#b8332c", "#f6efe0"),
+    "foxes": ("#dfe6e2", "#d0702c", "#f8f2e6", "#33261f"),
+    "cats": ("#f1e6dc", "#3a3a42", "#e9d27a", "#d98a94"),
+    "bears": ("#dbe6ee", "#9a6b45", "#e6c9a4", "#33261f"),
+    "rabbits": ("#cfdfe6", "#f8f4ee", "#e6a8ae", "#4a3d3a"),
+    "birds": ("#f2eee2", "#3d6f96", "#a9c8d8", "#d38a34"),
+    "butterflies": ("#f4f0e8", "#d8763a", "#f0b85a", "#33261f"),
+    "bees": ("#eef2ea", "#efc03a", "#c9d8e2", "#2b2622"),
+    "fishes": ("#e4eef0", "#3f86a8", "#e79a5a"),
+    "dinosaurs": ("#f1ede0", "#5f9a5c", "#e2b64a"),
+    "anchors": ("#f4f1e8", "#1f2a44"),
+    "boats": ("#e6eef2", "#1f2a44", "#ffffff", "#c8354a"),
+    "splatters": ("#f4f1e8", "#2f6fae", "#d8453a", "#efc03a"),
     "plaid": ("#a3262e", "#20402f", "#e2c860"),
 }
 """What such a print has where no colour is named."""
+_PICTURED = frozenset(_USUAL_COLORS) - {"flowers", "leaves", "spots", "blotches", "plaid"}
+"""Figures that keep their own colours on whatever ground: foxes are red on blue."""
 _LIGHT_FROM = 190.0
 """Brightness from which a colour counts as light, 0 to 255."""
 _ON = re.compile(r"(?<!\w)(?:on|against|auf|sur|sobre|su|op|em)(?:\s+(?:a|an|the))?\s*$", re.IGNORECASE)
@@ -142,6 +164,9 @@ def _colors(
         named.append(_LIGHT if _brightness(named[0]) < _LIGHT_FROM else _DARK)
     if kind == "plaid" and len(named) == 2:
         named.append(_LIGHT if _brightness(named[0]) < _LIGHT_FROM else _INK)
+    if _motif(mark) in _PICTURED and kind == "motif":
+        figures = usual[1:] if len(marks) == 1 and named[0] != _LIGHT else (named[1], *usual[2:])
+        return (named[0], *figures)
     if kind == "motif":
         while len(named) < 4:
             named.append(_mixed(named[0], named[1], 0.35 * (len(named) - 1)))

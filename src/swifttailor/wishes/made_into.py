@@ -15,7 +15,8 @@ _AS_DRESS = re.compile(
     re.IGNORECASE,
 )
 _LIKE = re.compile(
-    r"(?<!\w)dress (?:that is |that's |which is |made |shaped |cut |styled )?(?:just )?like (?:an? |my )?(?:old )?"
+    r"(?<!\w)dress (?:that is |that's |which is |made |shaped |cut |styled )?(?:just )?like "
+    r"(?:an? |my )?(?:old )?"
     r"(?P<name>(?:[\w-]+ )?[\w-]+)",
     re.IGNORECASE,
 )

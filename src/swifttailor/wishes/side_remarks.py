@@ -43,8 +43,8 @@ _REMARKS = (
         re.IGNORECASE,
     ),
     re.compile(
-        r",?\s*(?<![\w-])for (?:(?:wearing|putting|layering|going|on|use)\s)?(?:over|on top of|under|underneath|"
-        rf"beneath|inside) {_WORDS_BEFORE}{_HEAD}{_NOT_ALONE}{_OWN}",
+        r",?\s*(?<![\w-])for (?:(?:wearing|putting|layering|going|on|use)\s)?(?:over|on top of|under|"
+        rf"underneath|beneath|inside) {_WORDS_BEFORE}{_HEAD}{_NOT_ALONE}{_OWN}",
         re.IGNORECASE,
     ),
     re.compile(

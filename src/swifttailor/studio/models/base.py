@@ -71,7 +71,34 @@ PartLooks = Annotated[list[PartLook], Field(max_length=64)]
 
 PrintKind = Literal["stripes", "checks", "plaid", "dots", "motif"]
 """Those of `garment.cloth_print`, as what follows."""
-PrintMotif = Literal["flowers", "leaves", "blotches", "spots", "shapes", "bands"]
+PrintMotif = Literal[
+    "flowers",
+    "leaves",
+    "blotches",
+    "spots",
+    "shapes",
+    "bands",
+    "hearts",
+    "stars",
+    "moons",
+    "bolts",
+    "cherries",
+    "strawberries",
+    "lemons",
+    "mushrooms",
+    "foxes",
+    "cats",
+    "bears",
+    "rabbits",
+    "birds",
+    "butterflies",
+    "bees",
+    "fishes",
+    "dinosaurs",
+    "anchors",
+    "boats",
+    "splatters",
+]
 PrintSize = Literal["width", "gap", "spacing", "radius", "repeat", "angle"]
 PrintColors = Annotated[list[Color], Field(min_length=2, max_length=4)]
 

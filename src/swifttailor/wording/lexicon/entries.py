@@ -50,7 +50,33 @@ PRINTS: Mapping[str, tuple[str, ...]] = {
     "motif": ("repeat",),
 }
 """Kinds of prints and their sizes, as `swifttailor.render` names them."""
-MOTIFS = ("flowers", "leaves", "blotches", "spots", "shapes", "bands")
+MOTIFS = (
+    *("flowers", "leaves", "blotches", "spots", "shapes", "bands"),
+    *(
+        "hearts",
+        "stars",
+        "moons",
+        "bolts",
+        "cherries",
+        "strawberries",
+        "lemons",
+        "mushrooms",
+        "foxes",
+        "cats",
+    ),
+    *(
+        "bears",
+        "rabbits",
+        "birds",
+        "butterflies",
+        "bees",
+        "fishes",
+        "dinosaurs",
+        "anchors",
+        "boats",
+        "splatters",
+    ),
+)
 _SIZES = ("width", "gap", "angle", "spacing", "radius", "repeat")
 _PRINT_MARKS = (*_SIZES, "motif", "inks")
 _ONE_VALUE = ("part", "cloth", "rgb", "shade", "print", "motif", "negates", "worn", *_SIZES)
