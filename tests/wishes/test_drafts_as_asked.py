@@ -103,6 +103,16 @@ SLITS = [Claim("slit", "left"), Claim("slit", "right")]
         ("fitted-dress", [OPEN_BACK, Claim("back_depth_cm", 30.0)], "fitted-dress"),
         ("halter-dress", [OPEN_BACK], "halter-dress(back_fall=18)"),
         ("strappy-dress(strap_width=3)", [THIN], "strappy-dress(strap_width=1.2)"),
+        (
+            "strappy-dress(skirt_length=98)",
+            [THIN, Claim("skirt", "flared")],
+            "strappy-dress(skirt_length=98;skirt_fraction=0.5;strap_width=3)",
+        ),
+        (
+            "drop-waist-dress(skirt_length=60)",
+            [Claim("skirt", "straight")],
+            "drop-waist-dress(skirt_length=60;fullness=1;skirt_flare=0)",
+        ),
         ("t-shirt", [Claim("fit", "close"), Claim("bodice", "darted")], "fitted-top"),
         ("trousers(leg_ease=21)", [Claim("legs", "wide")], "trousers(leg_ease=40;flare=8)"),
         ("trousers(leg_ease=36;flare=6)", [Claim("legs", "wide")], "trousers(leg_ease=36;flare=6)"),

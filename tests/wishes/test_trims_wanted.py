@@ -160,6 +160,25 @@ def test_stripes_down_seams_are_put_on_and_no_print(text, trim):
     assert striped.choices[0] == (trim,) and asked.print is None
 
 
+@pytest.mark.parametrize(
+    ("text", "what", "trims"),
+    [
+        ("pants with huge pockets on the thigh", "pockets", ("cargo pockets",)),
+        ("ragged trousers, string at the waist", "drawstring", ("drawstring",)),
+        ("paper bag waist shorts", "belt", ("tie belt",)),
+        ("fleece jacket that zips up to the chin", "zip", ("zip",)),
+    ],
+)
+def test_details_are_put_on_where_other_words_tell_them(text, what, trims):
+    (wish,) = [wish for wish in trims_wanted(heard(text)) if wish.what == what]
+    assert wish.choices[0] == trims
+
+
+def test_bows_of_straps_are_none_at_the_waist():
+    tied = trims_wanted(heard("a summer dress with wide straps tied in bows"))
+    assert ("waist bow",) not in [wish.choices[0] for wish in tied]
+
+
 def test_frills_of_the_sleeves_are_put_there_alone():
     told = (Wish(Gain(Claim("cuffs", "flounce")), 1.0),)
     blouse = replace(heard("a blouse with ruffles on the sleeves"), sure=told)

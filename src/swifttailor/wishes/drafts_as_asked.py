@@ -20,7 +20,7 @@ from swifttailor.pattern.drafts.draft_names import (
 )
 from swifttailor.wishes.bared_drafts import bared_as_asked
 from swifttailor.wishes.close_drafts import SHAPED_TO_CM, close_as_asked
-from swifttailor.wishes.held_drafts import held_as_asked
+from swifttailor.wishes.held_drafts import held_as_asked, on_straps_that_hold
 from swifttailor.wishes.hooded_drafts import hooded_as_asked
 from swifttailor.wishes.legged_drafts import legs_as_asked
 from swifttailor.wishes.sleeved_drafts import sleeves_as_asked
@@ -140,9 +140,8 @@ def draft_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft | N
         draft = replace(draft, options=tuple({**dict(draft.options), "gathers": _GATHERS}.items()))
     if draft.name == "skater-dress" and any(claim.name == "slit" for claim in claims):
         draft = NamedDraft("fitted-dress", (("skirt_length", _SLIT_SKIRT_CM),))  # where a slit is seen
-    draft = bared_as_asked(
-        held_as_asked(_hanging_loose(close_as_asked(draft, claims), claims), claims), claims
-    )
+    draft = held_as_asked(_hanging_loose(close_as_asked(draft, claims), claims), claims)
+    draft = on_straps_that_hold(bared_as_asked(draft, claims))
     draft = sleeves_as_asked(draft, claims)
     if draft.name in _ON_SHOULDERS and _THIN_STRAPS in claims:
         return None

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -39,6 +39,11 @@ _NOT_TOLD = ("kind", "shoulders")
 _AT_SHOULDERS = ("shoulders", "straps", "sleeves", "neckline", "collar", "hood")
 _BARE, _STAND, _TURTLENECK = Claim("shoulders", "strapless"), Claim("collar", "stand"), "turtleneck"
 _BARE_BACK = Claim("back_depth", "open")
+_OF_DETAILS: Mapping[str, tuple[str, ...]] = {
+    "coat": ("flare",),
+    "joggers": ("hip_ease", "leg_ease", "crotch_drop"),
+}
+"""Options that a word about a detail tells of what another word names."""
 _NECKS = ("neckline", "collar", "hood", "straps")
 _CUT_AS = {"tunic": "top", "shorts": "trousers", "playsuit": "jumpsuit"}
 """Kinds that are drafted as others."""
@@ -111,7 +116,7 @@ def _begun(heard: Heard, entries: Sequence[Entry], sure: Sequence[Claim]) -> lis
     """The drafts that entries name, as they are asked for; else such as have all that is told."""
     kind = _CUT_AS.get(heard.kind or "", heard.kind)
     named = [draft for entry in entries for draft in entry.drafts if draft.kind == kind]
-    named = _with_one_collar([as_not_refused(draft, heard.never) for draft in named])
+    named = _with_one_collar([as_not_refused(draft, heard.never) for draft in _in_detail(named, entries)])
     fitting = [draft_as_asked(armholes_as_asked(draft, heard.lacks), sure) for draft in named]
     if not named and heard.kind in (None, "top") and _tells_no_garment(heard):
         fitting = [draft_as_asked(_WHATEVER, sure)]
@@ -201,6 +206,17 @@ def _with_one_collar(named: list[NamedDraft]) -> list[NamedDraft]:
         else draft
         for draft in named
     ]
+
+
+def _in_detail(named: Sequence[NamedDraft], entries: Sequence[Entry]) -> list[NamedDraft]:
+    """Coats and harem trousers as a detail has them: with a swing back, or not too droopy."""
+    details = {d.name: dict(d.options) for e in entries if e.category == "styles" for d in e.drafts}
+    found = []
+    for draft in named:
+        told = details.get(draft.name, {})
+        more = {name: told[name] for name in _OF_DETAILS.get(draft.name, ()) if name in told}
+        found.append(replace(draft, options=tuple({**dict(draft.options), **more}.items())))
+    return found
 
 
 def _names_first(entry: Entry) -> bool:

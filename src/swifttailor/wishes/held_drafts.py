@@ -63,6 +63,11 @@ CIRCLES: Mapping[str, float] = {
     "more than a circle": 1.25,
 }
 """Parts of a circle, by what a skirt is called."""
+_DROPPED = "drop-waist-dress"
+_STRAIGHT: Mapping[str, float] = {"fullness": 1.0, "skirt_flare": 0.0}
+"""Of a dropped skirt that is to be straight: gathered ones that narrow to the hem stand out above it."""
+_HEAVY_CM, _HOLDING_STRAPS_CM = 75.0, 3.0
+"""Full skirts that are longer pull narrower straps than this off the shoulders."""
 _CLOSE = ("pencil", "narrowing", "straight")
 _FLOUNCE = "fitted base"
 
@@ -74,6 +79,22 @@ def held_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
         draft: As a table names it.
         claims: What is asked for, all of it.
     """
+    if draft.name == _DROPPED and any(_asked_skirt(claim) == "close" for claim in claims):
+        return NamedDraft(_DROPPED, tuple({**dict(draft.options), **_STRAIGHT}.items()))
+    return _held(draft, claims)
+
+
+def on_straps_that_hold(draft: NamedDraft) -> NamedDraft:
+    """A dress whose long, full skirt hangs on straps, with such as hold it; others as they are."""
+    options = dict(draft.options)
+    length = float(options.get("skirt_length", _LENGTHS.get(draft.name, 0.0)))
+    if draft.name != _WITHOUT["straps"] or options.get("fitted") or length <= _HEAVY_CM:
+        return draft
+    width = max(float(options.get("strap_width", 0.0)), _HOLDING_STRAPS_CM)
+    return NamedDraft(draft.name, tuple({**options, "strap_width": width}.items()))
+
+
+def _held(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     own = _own_hold(draft)
     if own is None:
         return draft
