@@ -31,7 +31,16 @@ DRAFTS = ("shirt", "coat", "jeans", "joggers", "hoodie", "dungarees", "shirt-dre
 BUTTONED = ("shirt", "coat", "shirt-dress", "circle-skirt")
 BELTED = ("coat", "jeans", "shirt-dress", "circle-skirt")
 APRON = "apron"
-FLAT = ("edging", "lace trim", "neck rib", "armhole ribs", "hem rib", "side stripes", "sleeve stripes")
+FLAT = (
+    "edging",
+    "lace trim",
+    "neck rib",
+    "armhole ribs",
+    "hem rib",
+    "side stripes",
+    "sleeve stripes",
+    "sleeve turn-ups",
+)
 """What lies on the cloth along its edges; frills, fringe and bows stand off."""
 STAND_OFF = (
     *("neck frill", "sleeve frills", "hem frill", "hem fringe", "neck bow", "waist bow"),

@@ -47,7 +47,7 @@ TRIMMED = {
     "trousers": ("trousers", ("fly", "slant pockets", "back pockets", "buckle belt")),
     "shirt-dress": ("shirt-dress", ("button placket", "chest pocket", "side pockets", "tie belt")),
     "zipped hoodie": ("hoodie", ("zip", "kangaroo pocket")),
-    "hoodie": ("hoodie", ("half zip", "kangaroo pocket", "sleeve stripes")),
+    "hoodie": ("hoodie", ("half zip", "kangaroo pocket", "sleeve stripes", "sleeve turn-ups")),
     "dungarees": ("dungarees", ("bib pocket", "cargo pockets", "side zip")),
     "joggers": ("joggers", ("drawstring", "side pockets")),
     "polo shirt": ("polo-shirt", ("polo placket", "back zip")),

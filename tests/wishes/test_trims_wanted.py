@@ -166,6 +166,9 @@ def test_stripes_down_seams_are_put_on_and_no_print(text, trim):
         ("pants with huge pockets on the thigh", "pockets", ("cargo pockets",)),
         ("ragged trousers, string at the waist", "drawstring", ("drawstring",)),
         ("paper bag waist shorts", "belt", ("tie belt",)),
+        ("a tunic with a tie belt", "belt", ("tie belt",)),
+        ("a linen shirt with rolled sleeves", "rolled_sleeves", ("sleeve turn-ups",)),
+        ("a dress shirt, French cuffs", "french_cuffs", ("sleeve turn-ups",)),
         ("fleece jacket that zips up to the chin", "zip", ("zip",)),
     ],
 )

@@ -31,6 +31,7 @@ def test_foreign_wishes_are_put_into_english(text: str, english: str) -> None:
 @pytest.mark.parametrize(
     "text",
     [
+        "a denim jacket but as a dress",
         "a maxi dress with sleeves",
         "top lila",
         "rotes Kleid mit langen Ärmeln",

@@ -18,6 +18,7 @@ _TITLES: Mapping[str, str] = {
     "hem rib": "Ribbed band at the hem",
     "neck frill": "Frill around the neck",
     "sleeve frills": "Frills at the sleeves",
+    "sleeve turn-ups": "Turned-up ends of the sleeves",
     "hem frill": "Frill along the hem",
     "hem fringe": "Fringe",
     "frayed hem": "Frayed hems",
@@ -124,6 +125,11 @@ def _frill(frill: Frill) -> str:
             f"Cut strips of ribbed knit {2 * frill.depth + 2:.0f} cm wide, {_RIB_SHARE * length:.0f} cm "
             f"in all. Close them to rings, fold them lengthwise, stretch them to {length:.0f} cm, and sew "
             "them to the edge."
+        )
+    if frill.trim == "sleeve turn-ups":
+        return (
+            f"Cut the sleeves {2 * frill.depth:.0f} cm longer. Fold {frill.depth:.0f} cm of each end up "
+            "twice to the outside, press, and catch the fold at the seam."
         )
     if frill.trim in ("side stripes", "sleeve stripes"):
         return (

@@ -29,6 +29,8 @@ TRIMS_OF: Mapping[str, tuple[str, ...]] = {
     "drawstring": ("drawstring", "neck cord"),
     "elastic": ("elastic waist",),
     "turn_ups": ("turn-ups",),
+    "rolled_sleeves": ("sleeve turn-ups",),
+    "french_cuffs": ("sleeve turn-ups",),
     "padding": ("quilting",),
     "ties": ("tie belt", "neck bow", "waist bow", "back bow", "back ties"),
     "braid": ("edging",),

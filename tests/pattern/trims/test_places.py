@@ -56,6 +56,7 @@ SHOULD_HAVE = {
     "hem rib": ("tank-top", "t-shirt"),
     "neck frill": (*[name for name in TOPS if name != "hoodie"], "shirt-dress"),
     "sleeve frills": ("t-shirt", "shirt", "shirt-dress"),
+    "sleeve turn-ups": ("t-shirt", "shirt", "shirt-dress", "blazer"),
     "hem frill": (*SKIRTS, *DRESSES, "t-shirt"),
     "hem fringe": (*SKIRTS, *DRESSES, "denim-jacket"),
     "edging": (*SKIRTS, *DRESSES, *TOPS),

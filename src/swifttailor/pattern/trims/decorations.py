@@ -15,6 +15,8 @@ from swifttailor.pattern.trims.shapes import Bow, Frill, StripKind, Trim
 
 _NECK_FRILL, _SLEEVE_FRILL, _HEM_FRILL, _FRINGE = 4.0, 5.0, 8.0, 12.0
 """How far each goes beyond its edge, cm."""
+_TURNED_BACK = 4.0
+"""Height of turned-up ends of sleeves, cm."""
 _EDGING, _LACE_TRIM, _RIB, _HEM_RIB = 1.3, 3.5, 2.0, 3.0
 """How wide edging, lace and ribbed bands are, cm."""
 _BOW, _BOW_TAIL = 15.0, 17.0
@@ -61,6 +63,11 @@ def neck_frill(chalk: Chalk, name: str) -> list[Trim]:
 def sleeve_frills(chalk: Chalk, name: str) -> list[Trim]:
     """A gathered strip at the end of each sleeve."""
     return _along(chalk, name, sleeve_ends(chalk.pattern), _SLEEVE_FRILL)
+
+
+def sleeve_turn_ups(chalk: Chalk, name: str) -> list[Trim]:
+    """A flat band around the end of each sleeve, as of sleeves that are rolled up and of French cuffs."""
+    return _along(chalk, name, sleeve_ends(chalk.pattern), _TURNED_BACK, "flat")
 
 
 def hem_frill(chalk: Chalk, name: str) -> list[Trim]:

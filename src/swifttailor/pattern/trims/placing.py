@@ -55,6 +55,7 @@ _PLACES: Mapping[str, Callable[[Chalk, str], list[Trim]]] = {
     "hem rib": decorations.hem_rib,
     "neck frill": decorations.neck_frill,
     "sleeve frills": decorations.sleeve_frills,
+    "sleeve turn-ups": decorations.sleeve_turn_ups,
     "hem frill": decorations.hem_frill,
     "hem fringe": decorations.hem_frill,
     "edging": decorations.edging,
