@@ -166,6 +166,10 @@ def test_stripes_down_seams_are_put_on_and_no_print(text, trim):
         ("pants with huge pockets on the thigh", "pockets", ("cargo pockets",)),
         ("ragged trousers, string at the waist", "drawstring", ("drawstring",)),
         ("paper bag waist shorts", "belt", ("tie belt",)),
+        ("a top with a massive ruff", "frills", ("neck frill",)),
+        ("a Pierrot top", "frills", ("neck frill",)),
+        ("a smock with pompoms down the front", "buttons", ("buttons",)),
+        ("the trouser of a sailor", "buttons", ("double-breasted buttons",)),
         ("a tunic with a tie belt", "belt", ("tie belt",)),
         ("a linen shirt with rolled sleeves", "rolled_sleeves", ("sleeve turn-ups",)),
         ("a dress shirt, French cuffs", "french_cuffs", ("sleeve turn-ups",)),
@@ -175,6 +179,12 @@ def test_stripes_down_seams_are_put_on_and_no_print(text, trim):
 def test_details_are_put_on_where_other_words_tell_them(text, what, trims):
     (wish,) = [wish for wish in trims_wanted(heard(text)) if wish.what == what]
     assert wish.choices[0] == trims
+
+
+def test_epaulettes_are_told_and_no_edging_is_put_on():
+    asked = heard("a black coat with epaulettes")
+    assert "epaulettes" in {lack.what for lack in asked.lacks}
+    assert not [wish for wish in trims_wanted(asked) if ("edging",) in wish.choices]
 
 
 def test_bows_of_straps_are_none_at_the_waist():
