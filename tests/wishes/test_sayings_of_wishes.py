@@ -146,6 +146,8 @@ def test_what_is_plain_stays_as_it_is(text):
         ("sweater with extra long arms", "sweater with extra long sleeves"),
         ("gown, neckline down to THERE", "gown, plunging v neckline"),
         ("oversized band t i can sleep in", "oversized longline t-shirt"),
+        ("a jacket which falls down in the front like water", "a waterfall jacket"),
+        ("a tunic parti-coloured red and gold", "a tunic red, with a red left half and a gold right half"),
     ],
 )
 def test_what_people_say_of_lengths_and_sleeves_is_put_plainly(text, plain):
