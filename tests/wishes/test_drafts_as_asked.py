@@ -57,6 +57,13 @@ SLITS = [Claim("slit", "left"), Claim("slit", "right")]
             "shirt-dress(skirt_length=50;collar=hood;cuffs=false;sleeves=false)",
         ),
         ("shirt", [Claim("neckline", "v")], None),
+        ("bustier", [Claim("shoulders", "both"), Claim("sleeves", "none")], "fitted-top"),
+        (
+            "strappy-dress(skirt_length=98)",
+            [THIN],
+            "strappy-dress(skirt_length=98;strap_width=3;bust_ease=1;waist_ease=0)",
+        ),
+        ("strappy-dress(skirt_length=98;fitted=true)", [], "strappy-dress(skirt_length=98;fitted=true)"),
         ("shirt-dress(collar=folded;cuffs=false)", [STAND], "shirt-dress(cuffs=false;collar=standing)"),
         ("fitted-dress(collar=standing)", [Claim("neckline", "square")], None),
         ("fitted-dress(neck_depth=13)", [BARE], "strapless-dress(skirt_length=60;fitted=true)"),
@@ -125,7 +132,11 @@ SLITS = [Claim("slit", "left"), Claim("slit", "right")]
         ("skater-dress(skirt_fraction=1)", [Claim("skirt", "flared")], "skater-dress(skirt_fraction=1)"),
         ("skater-dress", [Claim("skirt", "pencil")], "fitted-dress(skirt_length=50)"),
         ("slip-dress(length=44)", [THIN], "slip-dress(length=44)"),
-        ("slip-dress", [Claim("skirt", "circle")], "strappy-dress(skirt_length=56;skirt_fraction=1)"),
+        (
+            "slip-dress",
+            [Claim("skirt", "circle")],
+            "strappy-dress(skirt_length=56;skirt_fraction=1;strap_width=2.5;bust_ease=1;waist_ease=0)",
+        ),
         ("jumpsuit(neck_depth=18;leg_ease=30)", [THIN], "strappy-jumpsuit(leg_ease=30)"),
         (
             "strapless-jumpsuit(length=96)",

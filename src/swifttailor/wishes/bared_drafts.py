@@ -11,6 +11,13 @@ from swifttailor.wishes.held_drafts import CIRCLES
 
 _ON_STRAPS, _THIN = ("camisole", "strappy-dress", "strappy-jumpsuit"), Claim("straps", "narrow")
 _THIN_CM = 1.2
+_STRAPPY, _THIN_STRAP_CM = "strappy-dress", 1.5
+_HEAVY_CM, _VERY_HEAVY_CM = 42.0, 70.0
+"""Lengths of skirts cut from a whole circle, or as much of a smaller part of one, that pull at straps, cm."""
+_STRONG_CM, _STRONGER_CM = 2.5, 3.0
+"""How wide straps are that hold them: narrower ones give and slide off the shoulders."""
+_HELD_CLOSE = {"bust_ease": 1.0, "waist_ease": 0.0}
+"""Of the bodice over such a skirt, cm: its waist holds up what straps alone do not."""
 _STRAPLESS, _OPEN_BACK, _BARE = (
     "strapless-dress",
     Claim("back_depth", "open"),
@@ -87,7 +94,9 @@ def bared_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
         return replace(draft, options=tuple({"back_fall": _HALTER_FALL_CM, **own}.items()))
     if draft.name in _ON_STRAPS and _THIN in claims and STRAP_WIDTH in own:
         thin = min(float(own[STRAP_WIDTH]), _THIN_CM)
-        return replace(draft, options=tuple({**own, STRAP_WIDTH: thin}.items()))
+        draft = replace(draft, options=tuple({**own, STRAP_WIDTH: thin}.items()))
+    if draft.name == _STRAPPY:
+        return _with_strong_straps(draft)
     if draft.name != _DRAFT:
         return draft
     options: dict[str, float | bool | str] = {}
@@ -101,6 +110,20 @@ def bared_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
         if shapes or long:
             options["skirt_fraction"] = max(shapes, default=_FULL)
     return replace(draft, options=tuple({**options, **own}.items()))
+
+
+def _with_strong_straps(draft: NamedDraft) -> NamedDraft:
+    """A dress on straps that hold up its skirt: those of a long and wide one are no mere cords."""
+    own = dict(draft.options)
+    if own.get("fitted") or own.get("flounce"):
+        return draft
+    fullness = float(own.get("skirt_fraction", 0.5)) * float(own.get("gathers", 1.0))
+    length = float(own.get("skirt_length", 62.0))
+    if length * fullness <= _HEAVY_CM:
+        return draft
+    least = _STRONGER_CM if length >= _LONG_CM or length * fullness > _VERY_HEAVY_CM else _STRONG_CM
+    strap = max(float(own.get(STRAP_WIDTH, _THIN_STRAP_CM)), least)
+    return replace(draft, options=tuple({**own, STRAP_WIDTH: strap, **_HELD_CLOSE}.items()))
 
 
 def _bare_top(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:

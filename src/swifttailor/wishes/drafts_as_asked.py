@@ -211,7 +211,12 @@ def _darted(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
 
 
 def _as_another(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
-    """Sweatshirts with a hood are hoodies, blazers without a collar are cut like cardigans."""
+    """Sweatshirts with a hood are hoodies, blazers without a collar are cut like cardigans.
+
+    Bustiers with shoulders are fitted tops.
+    """
+    if draft.name == "bustier" and Claim("shoulders", "both") in claims:
+        return NamedDraft("fitted-top")
     if draft.name == _SWEATSHIRT and Claim("hood", "hood") in claims:
         return NamedDraft("hoodie", tuple([o for o in draft.options if o[0] in _OF_BANDED]))
     if draft.name == "blazer" and Claim("collar", "none") in claims:

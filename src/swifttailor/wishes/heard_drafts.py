@@ -17,6 +17,7 @@ from swifttailor.wishes.clinging_drafts import STRETCH, clinging_as_asked
 from swifttailor.wishes.drafts_as_asked import draft_as_asked
 from swifttailor.wishes.drafts_of_names import covers, draft_of_kind, draft_of_name
 from swifttailor.wishes.godets_as_asked import godets_as_asked
+from swifttailor.wishes.hearted_drafts import hearted_as_asked
 from swifttailor.wishes.legs_by_words import ELASTIC, legs_as_said
 from swifttailor.wishes.opened_drafts import opened_as_asked
 from swifttailor.wishes.oversized_drafts import oversized_as_asked
@@ -74,6 +75,7 @@ def drafts_of(heard: Heard) -> tuple[NamedDraft, ...]:
     sure = _sure_claims(heard)
     fitting = [armholes_as_asked(draft, heard.lacks) for draft in _begun(heard, entries, sure)]
     fitting = [oversized_as_asked(draft, sure) for draft in fitting]
+    fitting = [hearted_as_asked(draft, heard.lacks, sure) for draft in fitting]
     if _clings(heard):
         fitting = [clinging_as_asked(draft, sure) for draft in fitting]
     if asks_for_sailor_collar(entries):

@@ -129,6 +129,7 @@ class NamedDraft:
         shown = (*shown, *(_OF_TIERED_DRESSES if tiered else ()))
         if float(dict(self.options).get("crotch_drop", 0.0)) >= LOW_CROTCH_CM:
             shown = (*shown, LOW_CROTCH)
+        shown = (*shown, *([SWEETHEART] if (NECKLINE, SWEETHEART) in self.options else ()))
         curves = [CURVED_HEM] if dict(self.options).get(HEM_RISE, 0.0) else []
         curves += [PUFFBALL] if dict(self.options).get(HEM_BAND, 0.0) else []
         return (*shown, *(["open_front"] if opens else ()), *(["stretch"] if stretches else ()), *curves)
@@ -224,6 +225,8 @@ _ARMHOLES_SHOW: Mapping[str, tuple[str, ...]] = {"raglan": (RAGLAN,), "cut-in-on
 DROPPED_CM = 6.0
 """Armholes so far beyond the shoulder tip lie on the upper arm."""
 _OF_WINGS = (("sleeve_shape", "wide"),)
+NECKLINE, SWEETHEART = "neckline", "sweetheart"
+"""The option of the shape of a neckline, and one of its values, which is a key of ``cannot.txt`` as well."""
 ROOMY_CM = 7.0
 """With so much room on top of the hips drafts look loose there; with more, they stand off at the sides."""
 A_LINE_CM = 12.0

@@ -13,7 +13,10 @@ BARE_BACK = 18.0
 _ABOVE_SEAM = 2.0
 """How much of the middle of such a back is left above its lower edge, cm."""
 
-NeckShape = Literal["round", "v", "square"]
+_LOBES = 0.34
+"""How far the lobes of a heart begin above its lowest point, as a part of its depth."""
+
+NeckShape = Literal["round", "v", "square", "sweetheart"]
 
 
 @dataclass(frozen=True)
@@ -42,7 +45,7 @@ class Neckline:
 def draw_neckline(outline: Outline, start: Point, depth: float, slope: float, shape: NeckShape) -> None:
     """Draws from the shoulder point `start` to the middle line x = 0, `depth` cm lower.
 
-    Round and square necklines leave the shoulder at right angles, so that front and back join smoothly.
+    Round and square necklines, and the sides of hearts, leave the shoulder at right angles, so that front and back join smoothly.
 
     Args:
         outline: Continues at `start`.
@@ -59,6 +62,12 @@ def draw_neckline(outline: Outline, start: Point, depth: float, slope: float, sh
         corner = x - min(slope, 0.3) * depth * 0.35
         outline.quadratic("neck", (corner - 0.1 * x, y - 0.55 * depth), (corner * 0.92, low))
         outline.line("neck", 0.0, low)
+    elif shape == "sweetheart":
+        side = (0.94 * (x - min(slope, 0.3) * depth * 0.25), low + _LOBES * depth)
+        outline.quadratic("neck", (side[0] - 0.06 * x, y - 0.45 * depth), side)
+        outline.cubic(
+            "neck", (0.7 * x, low + 1.05 * _LOBES * depth), (0.22 * x, low + 0.9 * _LOBES * depth), (0.0, low)
+        )
     else:
         run = min(0.55 * depth, 0.8 * x)
         outline.cubic("neck", (x - slope * run, y - run), (0.56 * x, low), (0.0, low))
