@@ -571,3 +571,10 @@ def test_no_slit_is_guessed_where_no_word_can_mean_one(text, slits, reader: Wish
     changes = [wish.change for wish in (*heard.sure, *heard.likely)]
     claims = [change.claim for change in changes if isinstance(change, Gain)]
     assert {claim.value for claim in claims if claim.name == "slit"} == slits
+
+
+def test_curtains_are_none_however_they_are_described(reader: WishReader) -> None:
+    heard = hear_description("curtains for the spare room, 2m drop, lined", reader)
+    assert asks_for_none(heard, heard.text)
+    heard = hear_description("a dress made of an old curtain", reader)
+    assert not asks_for_none(heard, heard.text)

@@ -172,3 +172,18 @@ def test_a_network_adds_nothing_that_words_speak_against(reader, text, never):
     heard = hear_description(text, reader)
     told = [*heard.sure, *heard.likely]
     assert never not in {f"{w.change.claim.name}={w.change.claim.value}" for w in told}
+
+
+@pytest.mark.parametrize(
+    ("text", "plain"),
+    [
+        ("a jacket, collar yes, hood no.", "a jacket, with collar, no hood."),
+        ("black joggers in grey short leg", "black joggers in grey, petite"),
+        ("legs so wide they look like a skirt", "palazzo trousers"),
+        ("slouchy off one shoulder sweater dress", "slouchy wide neckline sweater dress"),
+        ("an evening dress, off one shoulder", "an evening dress, off one shoulder"),
+        ("collar that rises behind the head", "high standing collar"),
+    ],
+)
+def test_what_is_answered_or_likened_is_put_plainly(text, plain):
+    assert without_asides(text) == plain

@@ -47,6 +47,8 @@ def heard(text: str) -> Heard:
         ("a pinafore that ties at the back", "dress", ("back ties",)),
         ("a top with a lace-up back", "top", ("back lacing",)),
         ("a dress with a bow at the back", "dress", ("back bow",)),
+        ("a dress with a sash at the back", "dress", ("back bow",)),
+        ("joggers with a white stripe down the side", "trousers", ("side stripes",)),
         ("distressed jeans", "trousers", ("rips", "frayed hem")),
         ("ripped jeans with a hole in the right knee", "trousers", ("right knee rip",)),
         ("a hole in the left knee and a hole in the right knee", "trousers", ("knee rips",)),
@@ -67,6 +69,10 @@ def test_what_is_wanted_first(text, kind, first):
         ("formal trousers", {"side pockets", "fly", "creases"}),
         ("a cheongsam", {"diagonal closing"}),
         ("corset top", {"lacing", "boning"}),
+        ("tuxedo trousers", {"side stripes"}),
+        ("henley", {"polo placket"}),
+        ("half zip running top", {"half zip"}),
+        ("cargo skirt", {"cargo pockets", "patch pockets"}),
         ("hakama", {"pleat lines", "waist bow"}),
         ("national costume", {"apron", "lacing", "edging"}),
         ("house dress", {"buttons", "patch pockets"}),
@@ -142,6 +148,7 @@ def test_trims_of_entries_stand_for_what_they_cannot_have():
 def test_edging_is_put_on_unasked_where_the_tables_give_it_to_a_name():
     (edged,) = [wish for wish in trims_wanted(heard("a folk waistcoat"), kind="top") if wish.what == "braid"]
     assert edged.choices[0] == ("edging",) and not edged.said
+    assert "braid" not in {wish.what for wish in trims_wanted(heard("uniform trousers"), kind="trousers")}
     (striped,) = trims_wanted(heard("tuxedo trousers"), kind="trousers")
     assert striped.choices[0] == ("side stripes",)
 

@@ -10,6 +10,7 @@ from swifttailor.wording.lexicon.outfits import _outfits
 TWO = [
     ("a white blouse and a black pencil skirt", "a white blouse", "a black pencil skirt"),
     ("blouse and skirt", "blouse", "skirt"),
+    ("halter top n long straight skirt", "halter top", "long straight skirt"),
     ("two-piece: crop top and maxi skirt", "crop top", "maxi skirt"),
     ("a navy two-piece: crop top and maxi skirt", "navy crop top", "navy maxi skirt"),
     ("navy trouser suit", "navy blazer", "navy tailored trousers"),

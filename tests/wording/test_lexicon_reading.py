@@ -204,6 +204,8 @@ def test_what_is_refused(text, claims, never):
         ("pencil skirt, just below the knee", {"skirt_hem=knee"}),
         ("a jacket to wear over my dress", {"kind=dress"}),
         ("spencer dress", {"top_hem=cropped", "kind=top"}),
+        ("palazzos that look like a skirt", {"kind=skirt"}),
+        ("wide legs that look like a skirt", {"kind=skirt"}),
         ("a dress with a v neck, no collar", {"collar=stand"}),
     ],
 )

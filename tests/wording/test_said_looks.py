@@ -33,6 +33,11 @@ navy skirt knee length | navy |
 a vest, the red puffy one | red |
 sleeves in lace, the rest of the dress in satin, ivory | ivory | sleeves lace
 coveralls short sleeve orange, leg ends with cuffs | orange |
+jumper navy crew neck | navy |
+apron dress black cross back | black |
+maxi dress green puff sleeves | green |
+dress white collar | | collar white
+track pants with a white stripe down the side | | side_stripes white
 just the trousers, white suit like in the film | white |
 black and white dress | black white |
 red and white striped t-shirt with navy sleeves | red white | sleeves navy

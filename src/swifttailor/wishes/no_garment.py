@@ -49,8 +49,16 @@ def asks_for_none(heard: Heard, text: str) -> str:
     others = [mark for mark in known if mark not in named and _category(mark) not in _TELL_NO_GARMENT]
     # A garment that an occasion stands for is written before the text, and is none of its words.
     others = [mark for mark in others if any(w in text.lower() for w in mark.word.lower().split())]
+    if named and "household" in {what for e in named[0].entries for what in e.cannot}:
+        others = [mark for mark in others if _is_of_garments(mark)]  # "curtains, lined, 2 m long"
     beside = any(mark.word.lower() in _GO_WITH for mark in words.marks)
     return _NO_GARMENT.format(text=quoted, near=_LIKE) if named and not others and not beside else ""
+
+
+def _is_of_garments(mark: WordMark) -> bool:
+    """Whether a word names a garment or a part of one, and no more than what anything sewn may have."""
+    category = _category(mark)
+    return category in ("garments", "generic", "parts") or any(entry.drafts for entry in mark.entries)
 
 
 def _category(mark: WordMark) -> str | None:

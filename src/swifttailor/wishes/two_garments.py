@@ -36,7 +36,7 @@ _MATCHING = re.compile(
     re.IGNORECASE,
 )
 """What says that one is in the colour and the cloth of the other."""
-_PLUS = re.compile(r"(?<=[^\W\d_])(?:\s*[&+]\s*|\s+w/\s*)(?=[^\W\d_])")
+_PLUS = re.compile(r"(?<=[^\W\d_])(?:\s*[&+]\s*|\s+w/\s*|\s+['’]?n['’]?\s+)(?=[^\W\d_])")
 _SUIT_OF = re.compile(r"(?<!\w)(suits?|sets?)\s*(?::|=|[-–—](?=\s))\s*", re.IGNORECASE)
 """What would be read with the word behind it: the jacket of "suit: jacket and trousers" is no suit jacket."""
 _THREE = re.compile(r"(?:three|3)[- ]piece", re.IGNORECASE)

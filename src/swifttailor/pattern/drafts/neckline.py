@@ -45,7 +45,8 @@ class Neckline:
 def draw_neckline(outline: Outline, start: Point, depth: float, slope: float, shape: NeckShape) -> None:
     """Draws from the shoulder point `start` to the middle line x = 0, `depth` cm lower.
 
-    Round and square necklines, and the sides of hearts, leave the shoulder at right angles, so that front and back join smoothly.
+    Round and square necklines, and the sides of hearts, leave the shoulder at right angles, so that front and
+    back join smoothly.
 
     Args:
         outline: Continues at `start`.

@@ -212,9 +212,13 @@ def _on_seat(chalk: Chalk, name: str, aside: float) -> list[Trim]:
 
 
 def cargo_pockets(chalk: Chalk, name: str) -> list[Trim]:
-    """On the outside of both thighs."""
+    """On the outside of both thighs, of legs or of a skirt without a bodice that is no wrap."""
     s, pieces = chalk.size, []
-    for panel, sign in (("pant_f_l", 1), ("pant_f_r", -1)):
+    skirt = chalk.views.get("skirt_front")
+    legs = skirt is None or "left_ftorso" in chalk.views or not chalk.is_even(skirt, chalk.crotch)
+    for panel, sign in (
+        (("pant_f_l", 1), ("pant_f_r", -1)) if legs else (("skirt_front", 1), ("skirt_front", -1))
+    ):
         view = chalk.views.get(panel)
         if view is None:
             return []

@@ -170,6 +170,8 @@ def _with_roles(words: list[Meaning], kind: str | None, denied: frozenset[int]) 
     garments = [k for k in heads if words[k].category == "garments"]
     free = [k for k in garments if not _is_theirs(words, k)] or garments
     free = [k for k in free if k not in denied] or free
+    likened = [k for k in garments if _is_likened(words, k)]
+    free = [k for k in free if k not in likened]
     main = next((k for k in free if words[k].entries[0].kinds), free[0] if free else None)
     if main is not None and kind is None:
         whole = next((k for k in free if _can_hold(words[k], words[main])), None)
@@ -177,7 +179,7 @@ def _with_roles(words: list[Meaning], kind: str | None, denied: frozenset[int]) 
     for k in named:
         if k == main:
             role: Role = "garment"
-        elif k not in heads:
+        elif k not in heads or k in likened:
             role = "like"
         elif _is_theirs(words, k):
             role = "theirs"
@@ -191,6 +193,33 @@ def _with_roles(words: list[Meaning], kind: str | None, denied: frozenset[int]) 
             role = "second"
         words[k] = replace(words[k], role=role)
     return words
+
+
+_LIKENS = frozenset(
+    f"{word} {other}"
+    for word in ("look", "looks", "looking", "looked", "pass", "passes", "mistaken")
+    for other in ("like", "for", "as")
+)
+_LEGS = frozenset({"legs", "leg_hem", "leg_cuffs"})
+_FAR = 5
+"""Words that may stand between what is likened and what it is like."""
+
+
+def _is_likened(words: Sequence[Meaning], k: int) -> bool:
+    """Whether another garment looks like it: the skirt of "legs so wide that they look like a skirt"."""
+    for j in range(k - 1, max(k - _FAR, 0), -1):
+        if words[j].found.word in _LIKENS:
+            return any(_is_worn_itself(word) for word in words[:j])
+        if words[j].category in WORN or words[j].found.gap in ("pause", "stop"):
+            return False
+    return False
+
+
+def _is_worn_itself(word: Meaning) -> bool:
+    """Whether it names a garment, or what trousers alone have."""
+    if word.category == "garments":
+        return True
+    return any(claim.name in _LEGS for entry in word.entries for claim in entry.claims("certain"))
 
 
 _OVER = "outerwear.txt"

@@ -203,13 +203,20 @@ class _Reader:
         if any(mark.role == "garment" for mark in self._marks[j:last]):
             return []  # "black jumpsuit wide legs" is black, as what is typed without commas goes on
         part = self._part(noun)
-        if part is None:
+        if part is None or (_is_way_of_cutting(noun) and self._is_of_garment_before(k)):
             return []
         found = [(last, part)]
         while (after := self._joined(last)) is not None:
             last = after
             found.append((last, self._part(self._marks[last]) or ""))
         return found
+
+    def _is_of_garment_before(self, k: int) -> bool:
+        """Whether the only colour stands right behind the garment, as in lists: "jumper navy crew neck"."""
+        first = k - len(self._shade(k))
+        colors = [mark for mark in self._marks if _category(mark) == "colors" and _is_look(mark)]
+        behind = first > 0 and self._marks[first - 1].role == "garment" and not self._is_apart(first)
+        return behind and colors == [self._marks[k]]
 
     def _joined(self, k: int) -> int | None:
         """The bare part that is joined to the noun k, and has no look of its own."""
@@ -388,6 +395,11 @@ def _part_of_garment(mark: WordMark) -> str | None:
 
 def _put_on(mark: WordMark) -> str | None:
     return next((_PUT_ON[what] for e in mark.entries for what in e.cannot if what in _PUT_ON), None)
+
+
+def _is_way_of_cutting(mark: WordMark) -> bool:
+    """Whether it says how a part is cut, and names nothing that is put on: a crew neck, puff sleeves."""
+    return _category(mark) == "styles" and _put_on(mark) is None
 
 
 def _is_detail(mark: WordMark) -> bool:
