@@ -34,6 +34,7 @@ a vest, the red puffy one | red |
 sleeves in lace, the rest of the dress in satin, ivory | ivory | sleeves lace
 coveralls short sleeve orange, leg ends with cuffs | orange |
 jumper navy crew neck | navy |
+sports bra racerback purple | purple |
 apron dress black cross back | black |
 maxi dress green puff sleeves | green |
 dress white collar | | collar white

@@ -1,4 +1,4 @@
-"""Named drafts with sleeves joined as a text asks: raglan, cut in one with the body, at dropped shoulders."""
+"""Named drafts with armholes as a text asks: raglan, cut in one, at dropped shoulders, racerbacks."""
 
 from __future__ import annotations
 
@@ -11,6 +11,8 @@ from swifttailor.pattern.drafts.draft_names import (
     CUT_IN_ONE,
     DROPPED,
     DROPPED_BY,
+    RACER,
+    RACERBACK,
     RAGLAN,
     NamedDraft,
 )
@@ -61,6 +63,8 @@ _OF_WINGS: Mapping[str, Mapping[str, float]] = {
 """The same of sleeves that are cut in one: a close neckline stands off beside and behind the neck."""
 _WING_CM, _COAT_WING_CM = 18.0, 10.0
 """Where such sleeves begin, cm below the underarm."""
+_TANK, _OF_RACERS = "tank-top", {"strap_width": 3.5, "back_neck_depth": 8.0}
+"""Straps of a back that is cut in are at most so wide, and its neck so deep, cm."""
 _SLEEVED = ("shift-dress",)
 """Drafts that have sleeves only where an option says so."""
 
@@ -82,6 +86,9 @@ def armholes_as_asked(draft: NamedDraft, lacks: Sequence[Lack]) -> NamedDraft:
             wing = _COAT_WING_CM if draft.name == "coat" else _WING_CM
             roomy = _with_room(options, _OF_WINGS.get(draft.name, {}))
             return _with(draft, {**roomy, ARMHOLE: "cut-in-one", "wing": wing})
+        if lack.what == RACERBACK and draft.name == _TANK:
+            narrow = {name: min(float(options.get(name, most)), most) for name, most in _OF_RACERS.items()}
+            return _with(draft, {**options, **narrow, RACER: True})
         if lack.what == RAGLAN and draft.name in _RAGLAN and not puffed:
             return _with(draft, {**options, ARMHOLE: "raglan"})
         if lack.what == DROPPED and draft.name in _DROPPED:

@@ -59,6 +59,10 @@ _ABOVE_SEAT_CM = 6.0
 _WIDE_CM, _LONGEST_TOP_CM, _TAPER, _MOST_TAPER_CM = 18.0, 42.0, 0.75, 12.0
 """Tops with more room at the chest and straight sides narrow to the hem by a part of it, cm around: arms that
 are held out draw wide sides up and outward, and the hem would wing out like a bell."""
+_RACER_NECK = 0.34
+"""How deep the neck above may be, as a part of the height from underarm to shoulder."""
+_RACER_CM, _RACER_SHARE = 4.8, 0.46
+"""Half of what is left between the shoulder blades, cm; how high that is, between underarm and shoulder."""
 _LEAST_CURVE = 6.0
 """Between bends of a side seam that follows the body, cm."""
 _FOLLOWING_EASE = 1.0
@@ -105,6 +109,8 @@ class LooseBodice:
     follows: bool = False
     """Whether the side seams follow waist and hips, as cloth that stretches can; `waist_shaping` is then how
     far they may bend inward."""
+    racer: bool = False
+    """Whether the back is cut in between the shoulder blades, so that its straps run together there."""
     darted: bool = False
     """Whether what ends at the waist and has `waist_shaping` has darts to the bust, and is taken in by others
     from the hem."""
@@ -124,6 +130,22 @@ def armhole(outline: Outline, tip: Point, slope: float, scoop: float) -> None:
     reach = 0.52 * rise
     inward = (start[0] - scoop * across - 0.06 * rise, start[1] + 0.04 * rise)
     outline.cubic("armhole", inward, (tip[0] - slope * reach, tip[1] - reach), tip)
+
+
+def racer_armhole(outline: Outline, tip: Point, slope: float) -> None:
+    """Draws from the underarm point in between the shoulder blades, and out again to the shoulder `tip`.
+
+    Args:
+        outline: Continues at the underarm point.
+        tip: Shoulder end, local cm.
+        slope: Fall of the shoulder over its run.
+    """
+    x, y = outline.sides[-1].end
+    rise = tip[1] - y
+    inner = (min(_RACER_CM, 0.45 * tip[0]), y + _RACER_SHARE * rise)
+    outline.cubic("armhole", (x - 0.6 * (x - inner[0]), y + 0.03 * rise), (inner[0], y + 0.2 * rise), inner)
+    above = (tip[0] - slope * 0.3 * rise, tip[1] - 0.3 * rise)
+    outline.cubic("armhole", (inner[0], inner[1] + 0.25 * rise), above, tip)
 
 
 def shoulder_tip_x(
@@ -232,6 +254,7 @@ def lay_loose_bodice(table: CuttingTable, figure: Figure, shape: LooseBodice) ->
             balance=FRONT_BALANCE,
             scoop=scoop,
             slit=slit if front else 0.0,
+            racer=shape.racer and not front,
         )
     sew_torso(table)
 
@@ -293,6 +316,7 @@ def lay_torso_half(
     scoop: float,
     slit: float = 0.0,
     blade: float = BLADE_FULLNESS,
+    racer: bool = False,
 ) -> None:
     """Draws the upper end of a left front or back, and lays it.
 
@@ -307,15 +331,22 @@ def lay_torso_half(
         scoop: Of the armhole.
         slit: Length of the lower end of the centre that is left open, cm; less where the centre is short.
         blade: Extra length of the back over the shoulder blades, as a part of the waist line.
+        racer: Whether the armhole is cut in between the shoulder blades.
     """
     lift = balance * figure.front_fullness if front else blade * (figure.neck_y - figure.waist_y)
     neck, tip = ((x, figure.shoulder_line(x) + lift) for x in shoulder)
-    armhole(outline, tip, figure.slope, scoop)
+    underarm = outline.sides[-1].end[1]
+    if racer:
+        racer_armhole(outline, tip, figure.slope)
+    else:
+        armhole(outline, tip, figure.slope, scoop)
     outline.line("shoulder", *neck)
     fall = figure.neck_y + lift - neck[1]
     depth = (neckline.front_depth if front else neckline.back_depth) - fall
     low = outline.sides[0].start
-    if not front and neckline.bares_back:
+    if racer:  # above where the straps run together
+        depth = min(depth, _RACER_NECK * (tip[1] - underarm))
+    if not front and neckline.bares_back and not racer:
         draw_bare_back(outline, neck, depth, shoulder[1] - _STRAP)
     else:
         depth = max(min(depth, neck[1] - low[1] - SIDE_MINIMUM), 0.5)

@@ -129,6 +129,7 @@ class NamedDraft:
         shown = (*shown, *(_OF_TIERED_DRESSES if tiered else ()))
         if float(dict(self.options).get("crotch_drop", 0.0)) >= LOW_CROTCH_CM:
             shown = (*shown, LOW_CROTCH)
+        shown = (*shown, *([RACERBACK] if dict(self.options).get(RACER) else ()))
         shown = (*shown, *([SWEETHEART] if (NECKLINE, SWEETHEART) in self.options else ()))
         curves = [CURVED_HEM] if dict(self.options).get(HEM_RISE, 0.0) else []
         curves += [PUFFBALL] if dict(self.options).get(HEM_BAND, 0.0) else []
@@ -160,6 +161,7 @@ class NamedDraft:
         wings = _OF_WINGS if dict(self.options).get(ARMHOLE) == "cut-in-one" else ()
         options = dict(self.options)
         hem = (*(_OF_DIPS if options.get(HEM_DIP) else ()), *(_OF_ARCS if options.get(SCALLOPS) else ()))
+        hem = (*hem, *(_OF_RACERS if options.get(RACER) else ()))
         hem = (*hem, *(_OF_BUBBLES if options.get(HEM_BAND) else ()))
         hem = (*hem, *(_OF_POINTS if options.get(HEM_POINTS) else ()))
         blousing = self.name == "joggers" and float(options.get("leg_ease", 0.0)) >= BLOUSING_CM
@@ -225,6 +227,9 @@ _ARMHOLES_SHOW: Mapping[str, tuple[str, ...]] = {"raglan": (RAGLAN,), "cut-in-on
 DROPPED_CM = 6.0
 """Armholes so far beyond the shoulder tip lie on the upper arm."""
 _OF_WINGS = (("sleeve_shape", "wide"),)
+RACER, RACERBACK = "racer", "racerback"
+"""The option of tank tops whose back is cut in, and what that is in ``cannot.txt``."""
+_OF_RACERS = (("armholes", "angled"), ("armholes", "deep"))
 NECKLINE, SWEETHEART = "neckline", "sweetheart"
 """The option of the shape of a neckline, and one of its values, which is a key of ``cannot.txt`` as well."""
 ROOMY_CM = 7.0

@@ -292,7 +292,7 @@ class _Reader:
     def _goes_on(self, j: int, k: int) -> bool:
         """Whether the only colour of a text stands behind a detail: "coveralls short sleeve orange" are."""
         mark = self._marks[j]
-        detail = _category(mark) == "styles" and " " in mark.word
+        detail = _category(mark) == "styles" and (" " in mark.word or _is_way_of_cutting(mark))
         colors = [m for m in self._marks if _category(m) == "colors" and _is_look(m)]
         return detail and colors == [self._marks[k]] and any(m.role == "garment" for m in self._marks[:j])
 

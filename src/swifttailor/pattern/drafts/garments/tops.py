@@ -108,6 +108,7 @@ class TankTopOptions:
     back_neck_depth: declared.BackNeckDepth = 7.0
     strap_width: Annotated[float, Option("Width of the straps on the shoulder.", "cm", 3.0, 9.0)] = 4.0
     armhole_drop: declared.ArmholeDrop = 2.0
+    racer: Annotated[bool, Option("Cut the back in between the shoulder blades.")] = False
     hem_rise: declared.HemRise = 0.0
     waist_shaping: declared.WaistShaping = 0.0
     stretch: declared.ClothStretch = 0.0
@@ -127,6 +128,7 @@ def draft_tank_top(options: TankTopOptions, measurements: Measurements) -> Patte
         flare=options.flare,
         hip_ease=6.0,
         shoulder_extension=min(strap_end - figure.shoulder_x, 0.0),
+        racer=options.racer,
         side_rise=options.hem_rise,
         waist_shaping=options.waist_shaping,
         follows=follows_body(options.stretch, options.waist_shaping),

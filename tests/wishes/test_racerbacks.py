@@ -1,0 +1,41 @@
+"""Tops whose backs are cut in between the shoulder blades."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from swifttailor.pattern.drafts import draft
+from swifttailor.pattern.drafts.draft_names import NamedDraft
+from swifttailor.wishes.armholes_as_asked import armholes_as_asked
+from swifttailor.wording.lexicon import read_words
+
+LACKS = read_words("a gym vest with a racerback").lacks
+
+
+@pytest.mark.parametrize(
+    ("named", "begun"),
+    [
+        ("tank-top(strap_width=8)", {"strap_width": 3.5, "back_neck_depth": 8.0, "racer": True}),
+        ("t-shirt", {}),
+    ],
+)
+def test_tank_tops_are_cut_so(named, begun):
+    assert dict(armholes_as_asked(NamedDraft.parse(named), LACKS).options) == begun
+
+
+def test_it_shows_what_is_asked_for():
+    made = armholes_as_asked(NamedDraft("tank-top"), LACKS)
+    assert "racerback" in made.shows and ("armholes", "angled") in made.is_to_the_eye
+
+
+def test_little_is_left_between_the_shoulder_blades():
+    def least(panel):
+        outline = panel.to_world(panel.outline(0.5))
+        middle = outline[:, 1].max() - 10.0
+        level = outline[np.abs(outline[:, 1] - middle) < 1.5]
+        return np.abs(level[np.abs(level[:, 0]) > 1.0][:, 0]).min()
+
+    racer, plain = (draft("tank-top", racer=cut, back_neck_depth=6.0) for cut in (True, False))
+    assert least(racer.panel("left_btorso")) < 6.0 < least(plain.panel("left_btorso"))
+    assert least(racer.panel("left_ftorso")) == least(plain.panel("left_ftorso"))
