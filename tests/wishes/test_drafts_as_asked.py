@@ -49,6 +49,7 @@ SLITS = [Claim("slit", "left"), Claim("slit", "right")]
         ("shirt", [Claim("sleeves", "short")], "shirt(sleeve_length=22;sleeve_end=34;cuffs=false)"),
         ("sweatshirt(length=20)", [LAPEL], "polo-shirt(length=20;sleeve_length=58;sleeve_end=23)"),
         ("swing-dress", [LAPEL], "swing-dress(collar=folded)"),
+        ("robe", [LAPEL], "coat(length=70;chest_ease=18)"),
         ("swing-dress", [Claim("hood", "hood")], "swing-dress(collar=hood)"),
         ("poncho", [Claim("hood", "hood")], "poncho(hood=true)"),
         (

@@ -254,6 +254,8 @@ def _with_collar(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     if Claim("collar", "lapel") not in claims:
         return draft
     options = dict(draft.options)
+    if draft.name == "robe":  # which has no collar of its own
+        return NamedDraft("coat", tuple({"length": options.get("length", 70.0), "chest_ease": 18.0}.items()))
     sleeves = [] if Claim("sleeves", "none") not in claims else [("sleeves", False)]
     kept = [(name, options[name]) for name in ("length", "chest_ease") if name in options]
     if draft.name in ("t-shirt", "tank-top"):
