@@ -23,6 +23,11 @@ _REACH = 0.6
 """How far the curve under the arm reaches into the corner between side and arm."""
 _LEAST_RISE_CM = 6.0
 """How far above the beginning of a wing that corner is: with less, the sleeve is narrow there."""
+_WITHIN_CM = 1.0
+"""A wing begins so far within the lower corner of the sleeve's end, at least: lower down, sides that slant
+outward reach beyond it."""
+_STEP_CM = 1.0
+"""Steps in which such a wing is moved up, cm."""
 _NARROWEST_CM = 20.0
 """Width around the end of sleeves that are made narrower, at least."""
 _CUFF_GAP = 4.0
@@ -64,7 +69,7 @@ def cut_sleeve_in_one(table: CuttingTable, figure: Figure, shape: CutInOne) -> N
     degrees, length, half = _clear_of_torso(tip, underarm, hem, shape.end_width / 2, length, figure.arm_angle)
     over, under = _end(tip, degrees, length, half)
     corner = under[1] + (under[0] - underarm[0]) * math.tan(math.radians(degrees))
-    _cut_side(table, max(shape.drop, underarm[1] - corner + _LEAST_RISE_CM))
+    _cut_side(table, shape.drop, underarm[1] - corner + _LEAST_RISE_CM, under[0] - _WITHIN_CM)
     beginnings = {side: _wing_begins(table, side) for side in "fb"}
     low = _middle(*beginnings.values())
     top = max(corner, low[1] + _LEAST_RISE_CM / 2)
@@ -135,11 +140,25 @@ def _upper_side(piece: Piece) -> Side:
     return max((s for s in piece.sides if s.name == "side"), key=lambda s: max(s.start[1], s.end[1]))
 
 
-def _cut_side(table: CuttingTable, drop: float) -> None:
-    """Cuts the side seam so far below the underarm; front and back, which are sewn there, at once."""
+def _cut_side(table: CuttingTable, drop: float, least: float, furthest: float) -> None:
+    """Cuts the side seam below the underarm; front and back, which are sewn there, at once.
+
+    Args:
+        table: Where the torso lies.
+        drop: How far below, cm.
+        least: No less far than this, cm.
+        furthest: How far from the middle it may be cut, cm; higher up where the side slants outward.
+    """
     piece = table.pieces["left_ftorso"]
-    whole = _upper_side(piece)
-    share = min(drop / whole.length, 1.0 - min(_SHORTEST_SIDE_CM / whole.length, 0.5))
+    whole, behind = (_upper_side(table.pieces[f"left_{side}torso"]) for side in "fb")
+    share = min(max(drop, least) / whole.length, 1.0 - min(_SHORTEST_SIDE_CM / whole.length, 0.5))
+
+    def beyond() -> bool:
+        ends = whole.split([1.0 - share])[0].end, behind.split([share])[0].end
+        return _middle(*ends)[0] > furthest
+
+    while beyond() and share * whole.length > least + _STEP_CM:
+        share -= _STEP_CM / whole.length
     table.cut_side(piece, whole, 1.0 - share)
 
 
