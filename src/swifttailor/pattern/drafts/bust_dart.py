@@ -7,6 +7,9 @@ import math
 from swifttailor.pattern.drafts.figure import Figure
 from swifttailor.pattern.drafts.outline import Outline, Point
 
+_ABOVE_HEM_CM = 2.0
+"""The dart ends so far above the lower end of the seam at least, as where a hem lies above the bust."""
+
 
 def draw_side_with_bust_dart(outline: Outline, figure: Figure, underarm: Point) -> None:
     """Draws the front side seam with a dart that points to the bust.
@@ -18,7 +21,8 @@ def draw_side_with_bust_dart(outline: Outline, figure: Figure, underarm: Point) 
     length = math.dist(start, underarm)
     t = 1 - min(6.0, 0.45 * length) / length
     mouth = (start[0] + t * (underarm[0] - start[0]), start[1] + t * (underarm[1] - start[1]))
-    tip = (min(figure.bust_x + 2.5, mouth[0] - 4.0), min(figure.bust_y, underarm[1] - 1.0))
+    tip_y = max(min(figure.bust_y, underarm[1] - 1.0), start[1] + _ABOVE_HEM_CM)
+    tip = (min(figure.bust_x + 2.5, mouth[0] - 4.0), tip_y)
     reach = math.dist(tip, mouth)
     opening = min(0.9 * figure.front_fullness, 0.35 * reach)
     if opening < 0.8:
