@@ -18,3 +18,11 @@ def test_a_wing_begins_within_the_end_of_its_sleeve():
 def test_bust_darts_end_above_hems_that_lie_above_the_bust(name):
     low_bust = DraftMeasurements(vert_bust_line=23.0, waist_line=33.0)
     assert_sound(draft(name, measurements=low_bust, length=-12.0, waist_shaping=3.0))
+
+
+@pytest.mark.parametrize("name", ["blazer", "turtleneck"])
+def test_bust_darts_end_beside_the_edges_of_wide_open_fronts(name):
+    full_bust = DraftMeasurements(waist_line=35.1, waist_over_bust_line=45.0)
+    cut = {"length": -12.0, "opening": 14.0, "waist_shaping": 3.0}
+    depth = {"neck_depth": 18.0} if name == "blazer" else {}
+    assert_sound(draft(name, measurements=full_bust, **cut, **depth))

@@ -9,6 +9,8 @@ from swifttailor.pattern.drafts.outline import Outline, Point
 
 _ABOVE_HEM_CM = 2.0
 """The dart ends so far above the lower end of the seam at least, as where a hem lies above the bust."""
+_BESIDE_EDGE_CM, _EDGE_CM = 1.0, 24.0
+"""It ends so far beside the edge of an open front, which comes to the middle within about so much height."""
 
 
 def draw_side_with_bust_dart(outline: Outline, figure: Figure, underarm: Point) -> None:
@@ -22,7 +24,9 @@ def draw_side_with_bust_dart(outline: Outline, figure: Figure, underarm: Point) 
     t = 1 - min(6.0, 0.45 * length) / length
     mouth = (start[0] + t * (underarm[0] - start[0]), start[1] + t * (underarm[1] - start[1]))
     tip_y = max(min(figure.bust_y, underarm[1] - 1.0), start[1] + _ABOVE_HEM_CM)
-    tip = (min(figure.bust_x + 2.5, mouth[0] - 4.0), tip_y)
+    edge_x, low = outline.sides[0].start
+    edge_x *= max(1.0 - (tip_y - low) / _EDGE_CM, 0.0)
+    tip = (min(max(figure.bust_x + 2.5, edge_x + _BESIDE_EDGE_CM), mouth[0] - 4.0), tip_y)
     reach = math.dist(tip, mouth)
     opening = min(0.9 * figure.front_fullness, 0.35 * reach)
     if opening < 0.8:
