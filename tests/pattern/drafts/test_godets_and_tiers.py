@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from draft_checks import assert_sound
 
 from swifttailor.describing import Claim
 from swifttailor.describing.measuring import measure_facts
@@ -26,6 +27,12 @@ def test_godets_add_their_width_to_the_hem_and_take_hardly_any(name, count):
     assert skirt.godet_width == pytest.approx(30.0, abs=0.2)
     assert 23.0 < skirt.godet_height < 28.0  # at its sides; its hem is an arc
     assert skirt.hem == pytest.approx(plain.hem + 30.0 * count, abs=2.0 * count)
+
+
+@pytest.mark.parametrize("name", ["fitted-skirt", "fitted-dress"])
+def test_slits_end_beside_sides_that_bend_inward_above_them(name):
+    length, flare = ("length", "flare") if name == "fitted-skirt" else ("skirt_length", "skirt_flare")
+    assert_sound(draft(name, **{length: 36.0, flare: 18.0}, godets=12, hip_ease=0.5, stretch=10.0))
 
 
 @pytest.mark.parametrize("length", [60.0, 98.0])

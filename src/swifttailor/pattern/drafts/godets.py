@@ -11,6 +11,8 @@ from typing import Annotated
 import numpy as np
 
 from swifttailor.arrays import Array
+from swifttailor.pattern import curve as curves
+from swifttailor.pattern.curve import Line
 from swifttailor.pattern.drafts.cutting_table import CuttingTable, Piece
 from swifttailor.pattern.drafts.options import Option
 from swifttailor.pattern.drafts.outline import Outline, Side
@@ -29,6 +31,8 @@ _LEFT_ABOVE_CM = 16.0
 """What stays whole above the point of a wedge."""
 _CLEAR = 0.85
 """How far slits reach towards where neighbours would meet."""
+_POINTS = 13
+"""On a curved edge of the panel, to tell how near slits come to it."""
 _APART_CM = 5.0
 """How far wedges stand off the skirt before sewing."""
 
@@ -110,11 +114,12 @@ def _meeting(middles: Sequence[Array], upwards: Sequence[Array]) -> float:
 
 
 def _to_sides(corners: Sequence[Array], upwards: Sequence[Array], sides: Sequence[Side]) -> float:
-    """How far above the hem a slit would reach another edge of its panel, edges taken as straight, cm."""
+    """How far above the hem a slit would reach another edge of its panel, cm."""
     least = math.inf
+    chords = [ends for side in sides for ends in pairwise(_points_along(side))]
     for at, up in zip(corners, upwards, strict=True):
-        for side in sides:
-            start, chord = np.array(side.start) - at, np.array(side.end) - np.array(side.start)
+        for begins, ends in chords:
+            start, chord = begins - at, ends - begins
             apart = float(up[0] * chord[1] - up[1] * chord[0])
             if abs(apart) < 1e-9:
                 continue
@@ -122,6 +127,12 @@ def _to_sides(corners: Sequence[Array], upwards: Sequence[Array], sides: Sequenc
             share = float(start[0] * up[1] - start[1] * up[0]) / apart
             least = min(least, far) if far > 0.0 and 0.0 <= share <= 1.0 else least
     return least
+
+
+def _points_along(side: Side) -> Array:
+    """Points (n, 2) of an edge from which to which it is taken as straight: many of a curve."""
+    count = 2 if isinstance(side.curve, Line) else _POINTS
+    return curves.evaluate(side.curve, side.chord, np.linspace(0.0, 1.0, count))
 
 
 def _lay_wedge(
