@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from draft_checks import assert_sound
 
-from swifttailor.pattern.drafts import draft
+from swifttailor.pattern.drafts import DraftMeasurements, draft
 
 
 @pytest.mark.parametrize("opening", [0.0, 8.0])
@@ -14,3 +14,12 @@ def test_a_short_cape_is_never_closed_beyond_its_hem(opening):
     assert_sound(cape)
     longer = draft("cape", length=55.0, closed=30.0, opening=opening)
     assert_sound(longer)
+
+
+def test_a_narrow_short_cape_opens_less():
+    assert_sound(draft("cape", length=-20.0, spread=65.0, neck_widening=1.0, opening=14.0))
+
+
+def test_a_neckline_ends_above_the_hem_of_a_short_cape():
+    short = DraftMeasurements(waist_line=33.0)
+    assert_sound(draft("cape", measurements=short, length=-20.0, neck_depth=14.0))

@@ -21,6 +21,10 @@ _SHOULDER_LIFT_CM = 1.0
 """Room over the shoulder, cm."""
 _OPEN_AT_LEAST_CM = 2.0
 """What stays open above the hem, however much of the front is to be closed."""
+_FRONT_AT_LEAST_CM = 4.0
+"""What is left below the neckline of a short cape, however deep it is to be."""
+_OPEN_AT_MOST = 0.6
+"""How far the edge of a short cape moves back, as a part of the way to the seam over the arm."""
 
 
 @dataclass(frozen=True)
@@ -83,7 +87,7 @@ def _half(figure: Figure, options: CapeOptions, neckline: Neckline, *, front: bo
     radius = neck[1] - hem_y
     fall = math.radians(options.spread)
     end = (neck[0] + radius * math.cos(fall), neck[1] - radius * math.sin(fall))
-    middle = (options.opening if front else 0.0, hem_y)
+    middle = (min(options.opening, _OPEN_AT_MOST * end[0]) if front else 0.0, hem_y)
     outline = Outline(*middle)
     # Both ends of the hem leave at right angles to the seams there.
     reach = 4.0 / 3.0 * math.tan((math.pi / 2 - fall) / 4) * radius
@@ -98,7 +102,8 @@ def _half(figure: Figure, options: CapeOptions, neckline: Neckline, *, front: bo
     outline.quadratic("arm", (tip[0] + 0.5 * (tip[0] - neck[0]), tip[1] - 0.5 * slant), tip)
     outline.line("shoulder", *neck)
     depth = (neckline.front_depth if front else neckline.back_depth) - (figure.neck_y - neck[1])
-    draw_neckline(outline, neck, max(depth, 0.5), figure.slope, neckline.shape)
+    depth = max(min(depth, radius - _FRONT_AT_LEAST_CM), 0.5)
+    draw_neckline(outline, neck, depth, figure.slope, neckline.shape)
     x, y = outline.sides[-1].end
     if front:
         closed = min(options.closed, y - hem_y - _OPEN_AT_LEAST_CM)
