@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
+from swifttailor.pattern.drafts.armholes import RACER_NECK, armhole, racer_armhole
 from swifttailor.pattern.drafts.bust_dart import draw_side_with_bust_dart
 from swifttailor.pattern.drafts.cutting_table import CuttingTable, Piece
 from swifttailor.pattern.drafts.figure import Figure, Halves
@@ -59,10 +60,6 @@ _ABOVE_SEAT_CM = 6.0
 _WIDE_CM, _LONGEST_TOP_CM, _TAPER, _MOST_TAPER_CM = 18.0, 42.0, 0.75, 12.0
 """Tops with more room at the chest and straight sides narrow to the hem by a part of it, cm around: arms that
 are held out draw wide sides up and outward, and the hem would wing out like a bell."""
-_RACER_NECK = 0.34
-"""How deep the neck above may be, as a part of the height from underarm to shoulder."""
-_RACER_CM, _RACER_SHARE = 4.8, 0.46
-"""Half of what is left between the shoulder blades, cm; how high that is, between underarm and shoulder."""
 _LEAST_CURVE = 6.0
 """Between bends of a side seam that follows the body, cm."""
 _FOLLOWING_EASE = 1.0
@@ -114,38 +111,6 @@ class LooseBodice:
     darted: bool = False
     """Whether what ends at the waist and has `waist_shaping` has darts to the bust, and is taken in by others
     from the hem."""
-
-
-def armhole(outline: Outline, tip: Point, slope: float, scoop: float) -> None:
-    """Draws from the underarm point to the shoulder `tip`, at right angles to side and shoulder.
-
-    Args:
-        outline: Continues at the underarm point.
-        tip: Shoulder end, local cm.
-        slope: Fall of the shoulder over its run.
-        scoop: How deep the lower bend is cut, 0.4 (back) to 0.75 (front).
-    """
-    start = outline.sides[-1].end
-    across, rise = start[0] - tip[0], tip[1] - start[1]
-    reach = 0.52 * rise
-    inward = (start[0] - scoop * across - 0.06 * rise, start[1] + 0.04 * rise)
-    outline.cubic("armhole", inward, (tip[0] - slope * reach, tip[1] - reach), tip)
-
-
-def racer_armhole(outline: Outline, tip: Point, slope: float) -> None:
-    """Draws from the underarm point in between the shoulder blades, and out again to the shoulder `tip`.
-
-    Args:
-        outline: Continues at the underarm point.
-        tip: Shoulder end, local cm.
-        slope: Fall of the shoulder over its run.
-    """
-    x, y = outline.sides[-1].end
-    rise = tip[1] - y
-    inner = (min(_RACER_CM, 0.45 * tip[0]), y + _RACER_SHARE * rise)
-    outline.cubic("armhole", (x - 0.6 * (x - inner[0]), y + 0.03 * rise), (inner[0], y + 0.2 * rise), inner)
-    above = (tip[0] - slope * 0.3 * rise, tip[1] - 0.3 * rise)
-    outline.cubic("armhole", (inner[0], inner[1] + 0.25 * rise), above, tip)
 
 
 def shoulder_tip_x(
@@ -345,7 +310,7 @@ def lay_torso_half(
     depth = (neckline.front_depth if front else neckline.back_depth) - fall
     low = outline.sides[0].start
     if racer:  # above where the straps run together
-        depth = min(depth, _RACER_NECK * (tip[1] - underarm))
+        depth = min(depth, RACER_NECK * (tip[1] - underarm))
     if not front and neckline.bares_back and not racer:
         draw_bare_back(outline, neck, depth, shoulder[1] - _STRAP)
     else:

@@ -6,12 +6,12 @@ import math
 from dataclasses import dataclass
 
 from swifttailor.pattern.drafts import darted_block
+from swifttailor.pattern.drafts.armholes import armhole
 from swifttailor.pattern.drafts.bodice import (
     BACK_Z,
     FRONT_Z,
     HEM_BALANCE,
     SIDE_MINIMUM,
-    armhole,
     shoulder_tip_x,
 )
 from swifttailor.pattern.drafts.bust_dart import draw_side_with_bust_dart

@@ -14,6 +14,19 @@ from typing import TYPE_CHECKING
 from swifttailor.wording.lexicon.colors import NamedColor, named_colors
 from swifttailor.wording.lexicon.entries import Entry
 from swifttailor.wording.lexicon.inflection import Language
+from swifttailor.wording.lexicon.look_words import (
+    PUT_ON,
+    STRIPES,
+    category_of,
+    is_cloth,
+    is_detail,
+    is_look,
+    is_outfit,
+    is_way_of_cutting,
+    own_looks,
+    part_of_garment,
+    put_on,
+)
 
 if TYPE_CHECKING:
     from swifttailor.wording.lexicon.reading import WordMark
@@ -21,29 +34,6 @@ if TYPE_CHECKING:
 WHOLE = "all"
 """The part that is the whole garment."""
 OPAQUE, OTHER = "opaque", "other"
-_KNITS = frozenset({"jersey", "rib-knit", "sweatshirt", "ponte", "fleece"})
-"""Cloths that collars, cuffs and bands usually are of."""
-_STRIPES = "side_stripes"
-"""Named by the parts that they run down, whose colour is not meant: "white stripes down the sleeves"."""
-_PUT_ON = {
-    "buttons": "buttons",
-    "zip": "zip",
-    "belt": "belt",
-    "belt_accessory": "belt",
-    "pockets": "pockets",
-    "drawstring": "drawstring",
-    "frills": "frills",
-    "fringe": "fringe",
-    "lacing": "lacing",
-    "apron": "apron",
-    "braid": "edging",
-    "lace": "edging",
-    "side_stripes": _STRIPES,
-    "ties": "bow",
-}
-"""By key of what cannot be made of panels, what is put on for it."""
-_PARTS_OF_WHOLE = {"skirt": "skirt", "trousers": "legs", "shorts": "legs", "top": "bodice", "tunic": "bodice"}
-"""Kinds that are named as a part of another: "a dress with a tulle skirt"."""
 _BETWEEN = frozenset(
     {
         *("styles", "fits", "lengths", "occasions", "colors", "shades", "prints", "fabrics", "sizes"),
@@ -98,7 +88,7 @@ def said_looks(text: str, marks: Sequence[WordMark], language: Language) -> tupl
         marks: Its words.
         language: Of the text.
     """
-    if not any(_is_look(mark) or _is_cloth(mark) or _own_looks(mark) for mark in marks):
+    if not any(is_look(mark) or is_cloth(mark) or own_looks(mark) for mark in marks):
         return ()
     reader = _Reader(text, marks, language)
     found: list[SaidLook] = []
@@ -106,7 +96,7 @@ def said_looks(text: str, marks: Sequence[WordMark], language: Language) -> tupl
         if mark.role == "theirs":
             continue
         found += reader.by_name(k)
-        if _is_look(mark) or _is_cloth(mark):
+        if is_look(mark) or is_cloth(mark):
             found += reader.of_word(k)
     return tuple(found)
 
@@ -121,11 +111,11 @@ class _Reader:
     def by_name(self, k: int) -> list[SaidLook]:
         """What the word k says together with its noun: "illusion sleeves", or implies: a tulle skirt."""
         mark = self._marks[k]
-        part = _part_of_garment(mark)
+        part = part_of_garment(mark)
         found = []
         for entry in mark.entries:
             for cloth, own in () if mark.denied or mark.role in ("second", "like") else entry.looks:
-                if _is_look(mark):
+                if is_look(mark):
                     continue
                 where = own or part or (mark.part if mark.role == "word" else None) or WHOLE
                 said = mark.role != "garment" or own is None
@@ -169,11 +159,11 @@ class _Reader:
             mark = self._marks[j]
             if self._is_noun(mark):
                 return self._nouns_from(j, k)
-            if _category(mark) == "prints" and _PLURAL_PRINT.search(mark.word):
+            if category_of(mark) == "prints" and _PLURAL_PRINT.search(mark.word):
                 return []
-            joins = mark.word.lower() in _AND and j + 1 < len(self._marks) and _is_look(self._marks[j + 1])
-            if not joins and mark.entries and _category(mark) not in _BETWEEN:
-                return [] if _category(mark) == "generic" else None
+            joins = mark.word.lower() in _AND and j + 1 < len(self._marks) and is_look(self._marks[j + 1])
+            if not joins and mark.entries and category_of(mark) not in _BETWEEN:
+                return [] if category_of(mark) == "generic" else None
             j += 1
         return None
 
@@ -185,7 +175,7 @@ class _Reader:
                 return None
             if self._is_noun(mark):
                 return j
-            if not (_is_look(mark) or any(e.shade for e in mark.entries)):
+            if not (is_look(mark) or any(e.shade for e in mark.entries)):
                 return None
         return None
 
@@ -198,12 +188,12 @@ class _Reader:
             last += 1
         first, noun = self._marks[j], self._marks[last]
         if last > j and noun.entries[0].category == "garments":
-            bare = _category(first) == "parts" and " " not in first.word and j == k + 1
+            bare = category_of(first) == "parts" and " " not in first.word and j == k + 1
             return [(j, first.part or "")] if bare else []
         if any(mark.role == "garment" for mark in self._marks[j:last]):
             return []  # "black jumpsuit wide legs" is black, as what is typed without commas goes on
         part = self._part(noun)
-        if part is None or (_is_way_of_cutting(noun) and self._is_of_garment_before(k)):
+        if part is None or (is_way_of_cutting(noun) and self._is_of_garment_before(k)):
             return []
         found = [(last, part)]
         while (after := self._joined(last)) is not None:
@@ -214,7 +204,7 @@ class _Reader:
     def _is_of_garment_before(self, k: int) -> bool:
         """Whether the only colour stands right behind the garment, as in lists: "jumper navy crew neck"."""
         first = k - len(self._shade(k))
-        colors = [mark for mark in self._marks if _category(mark) == "colors" and _is_look(mark)]
+        colors = [mark for mark in self._marks if category_of(mark) == "colors" and is_look(mark)]
         behind = first > 0 and self._marks[first - 1].role == "garment" and not self._is_apart(first)
         return behind and colors == [self._marks[k]]
 
@@ -236,7 +226,7 @@ class _Reader:
     def _has_look_behind(self, j: int) -> bool:
         rest = self._marks[j + 1 : j + 4]
         links = [mark.word.lower() in _LINKS for mark in rest]
-        return any(_is_look(mark) and all(links[:n]) and n for n, mark in enumerate(rest))
+        return any(is_look(mark) and all(links[:n]) and n for n, mark in enumerate(rest))
 
     def _behind(self, k: int) -> list[tuple[int, str]]:
         """The part that a look stands behind; none where it is said of the garment."""
@@ -250,8 +240,8 @@ class _Reader:
                 return [] if part is None or not self._is_said(j, links, k) else self._all_before(j, part)
             if word in _LINKS:
                 links.append(word)
-            elif not (_is_look(mark) or any(e.shade for e in mark.entries) or word in _AND):
-                if _category(mark) not in ("degrees", "negations"):
+            elif not (is_look(mark) or any(e.shade for e in mark.entries) or word in _AND):
+                if category_of(mark) not in ("degrees", "negations"):
                     return []
         return []
 
@@ -269,7 +259,7 @@ class _Reader:
 
     def _is_said_before(self, k: int) -> bool:
         """Whether the part k has a look of its own: "a red collar and sleeves in white"."""
-        return k > 0 and _is_look(self._marks[k - 1])
+        return k > 0 and is_look(self._marks[k - 1])
 
     def _is_said(self, j: int, links: Sequence[str], k: int) -> bool:
         """Whether a look behind the part j is its own: that of "a dress with long sleeves in navy" is not."""
@@ -279,26 +269,26 @@ class _Reader:
             return True
         if _REST.search(self._text):
             return True  # "sleeves in lace, the rest in satin"
-        mine = _category(self._marks[k])
+        mine = category_of(self._marks[k])
         return any(
-            _is_look(mark) and _category(mark) == mine and self._before(n) == []
+            is_look(mark) and category_of(mark) == mine and self._before(n) == []
             for n, mark in enumerate(self._marks)
             if n != k
         ) or any(
-            mark.role == "garment" and n + 1 < len(self._marks) and _is_look(self._marks[n + 1])
+            mark.role == "garment" and n + 1 < len(self._marks) and is_look(self._marks[n + 1])
             for n, mark in enumerate(self._marks)
         )
 
     def _goes_on(self, j: int, k: int) -> bool:
         """Whether the only colour of a text stands behind a detail: "coveralls short sleeve orange" are."""
         mark = self._marks[j]
-        detail = _category(mark) == "styles" and (" " in mark.word or _is_way_of_cutting(mark))
-        colors = [m for m in self._marks if _category(m) == "colors" and _is_look(m)]
+        detail = category_of(mark) == "styles" and (" " in mark.word or is_way_of_cutting(mark))
+        colors = [m for m in self._marks if category_of(m) == "colors" and is_look(m)]
         return detail and colors == [self._marks[k]] and any(m.role == "garment" for m in self._marks[:j])
 
     def _is_bare_part(self, j: int) -> bool:
         mark = self._marks[j]
-        return _category(mark) == "parts" and self._is_noun(mark) and bool(self._part(mark))
+        return category_of(mark) == "parts" and self._is_noun(mark) and bool(self._part(mark))
 
     def _is_noun(self, mark: WordMark) -> bool:
         """Whether looks can be said of it; of what is not there, as "no sleeves", none can."""
@@ -308,28 +298,28 @@ class _Reader:
             return True
         if any(claim.value == "none" for entry in mark.entries for claim in entry.claims("certain")):
             return False
-        category = _category(mark)
+        category = category_of(mark)
         if category in ("garments", "accessories", "parts"):
             return True
-        if category == "styles" and (mark.part is not None or _put_on(mark) or _is_detail(mark)):
+        if category == "styles" and (mark.part is not None or put_on(mark) or is_detail(mark)):
             said = mark.entries[0].english or mark.word.lower()  # "plissada" is "pleated", and no noun
             return not said.endswith(("ed", "less", "puffy", "frilly", "lacy", "fluffy"))
         return False
 
     def _is_worn_over(self, mark: WordMark) -> bool:
         """Whether it is put on another garment: the apron of "a dirndl with a white apron"."""
-        others = self._names_garment and mark.role != "garment" and _category(mark) == "garments"
+        others = self._names_garment and mark.role != "garment" and category_of(mark) == "garments"
         return others and any("apron" in entry.cannot for entry in mark.entries)
 
     def _part(self, mark: WordMark) -> str | None:
         """What a noun is of the garment: a part, something that is put on, or a thing of its own (``""``)."""
-        if _category(mark) in ("garments", "accessories"):
+        if category_of(mark) in ("garments", "accessories"):
             if self._is_worn_over(mark):
-                return _PUT_ON["apron"]
-            apart = mark.role in ("second", "theirs") and not _is_outfit(mark)
-            return _part_of_garment(mark) or ("" if apart else None)
-        put_on = _put_on(mark)
-        return put_on if put_on == _STRIPES else mark.part or put_on or ""
+                return PUT_ON["apron"]
+            apart = mark.role in ("second", "theirs") and not is_outfit(mark)
+            return part_of_garment(mark) or ("" if apart else None)
+        over = put_on(mark)
+        return over if over == STRIPES else mark.part or over or ""
 
     def _is_apart(self, j: int) -> bool:
         first, _, more = self._marks[j].word.lower().partition(" ")
@@ -344,38 +334,6 @@ class _Reader:
         )
 
 
-def _category(mark: WordMark) -> str:
-    return mark.entries[0].category if mark.entries else ""
-
-
-def _is_look(mark: WordMark) -> bool:
-    """Whether a word says nothing but how something looks."""
-    return any(
-        (entry.category == "colors" and entry.color is not None)
-        or (entry.category in ("fabrics", "shades") and entry.looks)
-        for entry in mark.entries
-    )
-
-
-def _is_cloth(mark: WordMark) -> bool:
-    """Whether it names a cloth that is not sheer."""
-    return any(
-        e.category == "fabrics" and e.cloth is not None and e.cloth not in _KNITS and not e.looks
-        for e in mark.entries
-    )
-
-
-def _is_outfit(mark: WordMark) -> bool:
-    """Whether it names several garments at once, of which one is asked for: of a white suit the trousers."""
-    return mark.role == "second" and any(
-        e.category == "accessories" and "separate_pieces" in e.cannot for e in mark.entries
-    )
-
-
-def _own_looks(mark: WordMark) -> bool:
-    return any(entry.looks for entry in mark.entries)
-
-
 def _color(marks: Sequence[WordMark], k: int) -> NamedColor | None:
     """The colour that the word k names, with the shade before it."""
     pairs: list[tuple[str, Sequence[Entry]]] = [(m.word, m.entries) for m in marks[max(0, k - 1) : k + 1]]
@@ -383,25 +341,3 @@ def _color(marks: Sequence[WordMark], k: int) -> NamedColor | None:
         pairs = pairs[1:]
     found = named_colors(pairs)
     return found[0] if found else None
-
-
-def _part_of_garment(mark: WordMark) -> str | None:
-    """The part that a garment is named as, where it is one of another: the skirt of a dress."""
-    if mark.role != "part":
-        return None
-    kinds = [kind for entry in mark.entries for kind in entry.kinds]
-    return next((_PARTS_OF_WHOLE[kind] for kind in kinds if kind in _PARTS_OF_WHOLE), None)
-
-
-def _put_on(mark: WordMark) -> str | None:
-    return next((_PUT_ON[what] for e in mark.entries for what in e.cannot if what in _PUT_ON), None)
-
-
-def _is_way_of_cutting(mark: WordMark) -> bool:
-    """Whether it says how a part is cut, and names nothing that is put on: a crew neck, puff sleeves."""
-    return _category(mark) == "styles" and _put_on(mark) is None
-
-
-def _is_detail(mark: WordMark) -> bool:
-    """Whether it is a thing of its own on a garment that cannot be made: piping, a bow."""
-    return any(entry.cannot for entry in mark.entries)

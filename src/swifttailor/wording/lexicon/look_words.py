@@ -1,0 +1,89 @@
+"""What single words are where looks are told: colours, cloths, what is put on, names of parts."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from swifttailor.wording.lexicon.reading import WordMark
+
+_KNITS = frozenset({"jersey", "rib-knit", "sweatshirt", "ponte", "fleece"})
+"""Cloths that collars, cuffs and bands usually are of."""
+STRIPES = "side_stripes"
+"""Named by the parts that they run down, whose colour is not meant: "white stripes down the sleeves"."""
+PUT_ON = {
+    "buttons": "buttons",
+    "zip": "zip",
+    "belt": "belt",
+    "belt_accessory": "belt",
+    "pockets": "pockets",
+    "drawstring": "drawstring",
+    "frills": "frills",
+    "fringe": "fringe",
+    "lacing": "lacing",
+    "apron": "apron",
+    "braid": "edging",
+    "lace": "edging",
+    "side_stripes": STRIPES,
+    "ties": "bow",
+}
+"""By key of what cannot be made of panels, what is put on for it."""
+_PARTS_OF_WHOLE = {"skirt": "skirt", "trousers": "legs", "shorts": "legs", "top": "bodice", "tunic": "bodice"}
+"""Kinds that are named as a part of another: "a dress with a tulle skirt"."""
+
+
+def category_of(mark: WordMark) -> str:
+    """The section of the tables that a word is from; empty of other words."""
+    return mark.entries[0].category if mark.entries else ""
+
+
+def is_look(mark: WordMark) -> bool:
+    """Whether a word says nothing but how something looks."""
+    return any(
+        (entry.category == "colors" and entry.color is not None)
+        or (entry.category in ("fabrics", "shades") and entry.looks)
+        for entry in mark.entries
+    )
+
+
+def is_cloth(mark: WordMark) -> bool:
+    """Whether it names a cloth that is not sheer."""
+    return any(
+        e.category == "fabrics" and e.cloth is not None and e.cloth not in _KNITS and not e.looks
+        for e in mark.entries
+    )
+
+
+def is_outfit(mark: WordMark) -> bool:
+    """Whether it names several garments at once, of which one is asked for: of a white suit the trousers."""
+    return mark.role == "second" and any(
+        e.category == "accessories" and "separate_pieces" in e.cannot for e in mark.entries
+    )
+
+
+def own_looks(mark: WordMark) -> bool:
+    """Whether it tells or implies looks of its own, as names of sheer garments do."""
+    return any(entry.looks for entry in mark.entries)
+
+
+def part_of_garment(mark: WordMark) -> str | None:
+    """The part that a garment is named as, where it is one of another: the skirt of a dress."""
+    if mark.role != "part":
+        return None
+    kinds = [kind for entry in mark.entries for kind in entry.kinds]
+    return next((_PARTS_OF_WHOLE[kind] for kind in kinds if kind in _PARTS_OF_WHOLE), None)
+
+
+def put_on(mark: WordMark) -> str | None:
+    """What is put on a garment for it, where it is something that is."""
+    return next((PUT_ON[what] for e in mark.entries for what in e.cannot if what in PUT_ON), None)
+
+
+def is_way_of_cutting(mark: WordMark) -> bool:
+    """Whether it says how a part is cut, and names nothing that is put on: a crew neck, puff sleeves."""
+    return category_of(mark) == "styles" and put_on(mark) is None
+
+
+def is_detail(mark: WordMark) -> bool:
+    """Whether it is a thing of its own on a garment that cannot be made: piping, a bow."""
+    return any(entry.cannot for entry in mark.entries)
