@@ -114,7 +114,7 @@ SLITS = [Claim("slit", "left"), Claim("slit", "right")]
         (
             "strappy-dress(skirt_length=98)",
             [THIN, Claim("skirt", "flared")],
-            "strappy-dress(skirt_length=98;skirt_fraction=0.5;strap_width=3)",
+            "strappy-dress(skirt_length=98;skirt_fraction=0.5;strap_width=3;bust_ease=1;waist_ease=0)",
         ),
         (
             "drop-waist-dress(skirt_length=60)",

@@ -138,7 +138,7 @@ def test_grammar_stands_against_a_network(text, change, reader, dress):
 
 
 def test_the_size_of_a_small_part_is_not_that_of_the_garment(reader, dress):
-    for text in ("a big hood", "an enormous collar", "huge cuffs"):
+    for text in ("a big hood", "a gigantic collar", "huge cuffs"):
         found = heard(text, reader, dress)
         assert not any(subject_of(w.change) in ("fit", "chest") for w in found.sure)
         assert any(word in found.unread for word in text.split()), "what the word says is not done"
