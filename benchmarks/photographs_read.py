@@ -21,8 +21,9 @@ import numpy as np
 from swifttailor.cli.item_progress import ItemProgress
 from swifttailor.data.pictures.photograph_lists import SPLITS
 from swifttailor.data.pictures.photographs import Photographs
-from swifttailor.evaluation.pictures.photographs import TOLD, read_photographs
+from swifttailor.evaluation.pictures.photographs import TOLD, made_of_photographs, read_photographs
 from swifttailor.picture_reader.reader import SHIPPED_LAID, SHIPPED_PLAIN, PictureReader
+from swifttailor.tailor import Tailor
 
 
 def main() -> None:
@@ -33,6 +34,7 @@ def main() -> None:
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--picture-reader-weights", type=Path, help="instead of the package's")
     parser.add_argument("--laid-reader-weights", type=Path)
+    parser.add_argument("--made", action="store_true", help="measure what is made of them, part by part")
     parser.add_argument("--not-laid", action="store_true", help="as if there were no reader of laid garments")
     options = parser.parse_args()
     splits = SPLITS if options.split == "all" else (options.split,)
@@ -45,8 +47,12 @@ def main() -> None:
     if options.not_laid:
         reader = replace(reader, laid=None)
     with ItemProgress(len(photographs), "photographs read") as progress:
-        scores = read_photographs(reader, photographs, done=progress.add)
-    names = ("laid", "parts", *TOLD)
+        if options.made:
+            tailor = Tailor.load(picture_reader=reader)
+            scores = made_of_photographs(tailor, [p for p in photographs if p.main], done=progress.add)
+        else:
+            scores = read_photographs(reader, photographs, done=progress.add)
+    names = ("made" if options.made else "laid", *(() if options.made else ("parts",)), *TOLD)
     sys.stdout.write("| label | n | " + " | ".join(names) + " |\n" + "|---" * (len(names) + 2) + "|\n")
     for label, found in sorted(scores.items(), key=lambda item: (item[0] == "all", item[0])):
         shares, count = found.shares(), max(found.counts().values(), default=0)

@@ -239,3 +239,24 @@ def test_the_tables_of_shops_can_be_used(tmp_path, name):
         rows.append({"image": image, row["part"]: row["claims"]})
     write_list(tmp_path, rows)
     assert len(all_of(tmp_path)) == len(rows) > 50
+
+
+def test_what_is_made_is_measured(folder):
+    from types import SimpleNamespace
+
+    from swifttailor.errors import PatternError
+    from swifttailor.evaluation.pictures.photographs import made_of_photographs
+    from swifttailor.pattern.drafts import draft
+
+    class Maker:
+        def look(self, pixels):
+            return pixels
+
+        def generate(self, image, part):
+            if part == "lower":
+                raise PatternError("no legs today")
+            return SimpleNamespace(pattern=draft("t-shirt"))
+
+    scores = made_of_photographs(Maker(), all_of(folder)[:8])
+    assert scores["worn top"].shares() == {"made": 1.0, "kind": 1.0, "sleeves": 1.0, "hood": 1.0}
+    assert scores["worn shorts"].shares() == {"made": 0.0, "kind": 0.0, "leg_hem": 0.0}

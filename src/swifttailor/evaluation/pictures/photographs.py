@@ -5,14 +5,21 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import partial
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from swifttailor.data.pictures.photograph_lists import Photograph
+from swifttailor.describing import Claim, measure_facts
+from swifttailor.errors import SwiftTailorError
 from swifttailor.picture_reader.labels import PARTS
 from swifttailor.picture_reader.reader import PictureReader
 from swifttailor.picture_reader.reading import PictureReading
 from swifttailor.picture_reader.said import LEAST_PRESENT
+
+if TYPE_CHECKING:
+    from swifttailor.tailor import Tailor
+    from swifttailor.tailor.order import Part
 
 TOLD = ("kind", "sleeves", "hood", "collar", "neckline", "top_hem", "skirt_hem", "leg_hem")
 """Claims that are compared, of kinds of which they are known."""
@@ -78,6 +85,35 @@ def read_photographs(
             for each in (of_label, scores["all"]):
                 each.add("laid", reading.is_laid)
                 each.add_photograph(one, _parts(reading), partial(_likeliest, reading))
+        if done is not None:
+            done(1)
+    return scores
+
+
+def made_of_photographs(
+    tailor: Tailor, photographs: Sequence[Photograph], done: Callable[[int], None] | None = None
+) -> dict[str, PhotographScores]:
+    """Makes what photographs show, part by part, and measures the patterns.
+
+    Returns:
+        Of each label and of ``all`` what was found; ``made``: whether anything was.
+    """
+    scores = {"all": PhotographScores()}
+    for one in photographs:
+        seen = tailor.look(one.pixels())
+        for kind in filter(None, one.kinds):
+            part: Part = "upper" if kind.part == "upper" else "lower"
+            try:
+                facts = measure_facts(tailor.generate(image=seen, part=part).pattern)
+            except SwiftTailorError:
+                facts = None
+            for each in (scores.setdefault(one.label, PhotographScores()), scores["all"]):
+                each.add("made", facts is not None)
+                for claim in TOLD:
+                    words = (*kind.are.get(claim, ()), *kind.may_be.get(claim, ()))
+                    if words:
+                        held = facts is not None and any(Claim(claim, word).holds(facts) for word in words)
+                        each.add(claim, held)
         if done is not None:
             done(1)
     return scores
