@@ -9,8 +9,7 @@
 # each. Trained for MINUTES (1200) in stages of growing pictures, so that most pictures are small and easy: 64
 # pixels for a tenth of the time, 96 for two, 128 for three, 160 for two and 160 on mostly plain pictures for two; each
 # begins with the weights of the one before, and goes on where it was interrupted. Where there is no GPU each core trains
-# a process, which draws its own pictures. With PHOTOGRAPHS, folders of photographs of dressed people of whom is told what they wear
-# (docs/picture-reader.md), two tenths more go on with these beside pictures that are drawn. Ends with $WORK/picture-reader/picture_reader.onnx and its card beside it.
+# a process, which draws its own pictures. Ends with $WORK/picture-reader/picture_reader.onnx and its card beside it.
 source "$(dirname "${BASH_SOURCE[0]}")/steps.sh"
 
 minutes=${MINUTES:-1200}
@@ -58,13 +57,5 @@ step eyes-middle eyes middle 2 "${middle[@]}" "${settings[@]}" start="$out/easy/
 step eyes-large eyes large 3 "${large[@]}" "${settings[@]}" start="$out/middle/weights.safetensors"
 step eyes-full eyes full 2 "${full[@]}" "${settings[@]}" start="$out/large/weights.safetensors"
 step eyes-last eyes run 2 "${last[@]}" "${settings[@]}" start="$out/full/weights.safetensors"
-run=$out/run
-read -ra photographs <<< "${PHOTOGRAPHS:-}"
-if [ ${#photographs[@]} -gt 0 ]; then
-    given+=(--photographs "${photographs[@]}")
-    worn=("${last[@]}" frozen_stages=3 learning_rate=0.0006 plain=0.2 studio=0.06 photograph=0.35 unguessed=0.4)
-    step eyes-photographs eyes photographs 2 "${worn[@]}" "${settings[@]}" start="$out/run/weights.safetensors"
-    run=$out/photographs
-fi
-step eyes-exported swifttailor train export "$run" --out "$out/picture_reader.onnx" --overwrite --half \
+step eyes-exported swifttailor train export "$out/run" --out "$out/picture_reader.onnx" --overwrite --half \
     --data "$sewn/validation"

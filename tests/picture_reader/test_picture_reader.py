@@ -381,6 +381,40 @@ def test_what_nobody_wears_is_read_by_the_network_for_it(known):
     assert len(others.guesses) == (1 if known else 4)
 
 
+class Telling(Designing):
+    """The same, which is so sure of designs alone."""
+
+    def __init__(self, certain: float, sure: float) -> None:
+        super().__init__(sure)
+        self.says = certain
+
+    def run(self, names, feeds):
+        found = dict(zip(names, super().run(names, feeds), strict=True))
+        found["statements"][:] = self.says
+        return [found[name] for name in names]
+
+
+@pytest.mark.parametrize("ground", ["white", "a place"])
+@pytest.mark.parametrize(("sure", "figures"), [(0.0, "one"), (4.0, "one"), (0.0, "none")])
+def test_photographs_are_told_by_a_network_and_read_by_it_before_a_plain_ground(ground, sure, figures):
+    said = np.tile([1.0, 0.0], (len(statement_labels()), 1))
+    others, own = Wearing(1.0), Telling(3.0, sure)
+    own.figures = figures
+    picture = np.random.default_rng(0).integers(0, 256, (640, 640, 3), np.uint8)
+    if ground == "white":
+        picture[:, :200] = picture[:200] = 255
+    shop = PictureReader(own, 64, said, {}, parameters=PARAMETERS)
+    read = PictureReader(others, 64, said, {}, shop=lambda: shop).read(picture)
+    photograph = sure == 0.0 and figures == "one"
+    assert read.is_photograph == photograph == read.to_json()["photograph"]
+    by_shop = photograph and ground == "white"
+    (part,) = read.parts
+    certain = next(s.certainty for s in part.statements if s.claim.value == "knee")
+    assert abs(certain - 1 / (1 + np.exp(-(3.0 if by_shop else 1.0)))) < 1e-6
+    assert len(own.guesses) == 3 and not any(guess.any() for guess in own.guesses)
+    assert len(others.guesses) == (1 if by_shop else 4)
+
+
 def test_each_of_two_garments_is_looked_at_nearer():
     looking = Looking(two=True)
     reader = PictureReader(looking, 64, np.tile([1.0, 0.0], (len(statement_labels()), 1)), {})

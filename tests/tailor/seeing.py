@@ -43,8 +43,10 @@ class Seeing:
         figures: Figures = "one",
         cells: SeenCells | None = None,
         is_plain: bool = False,
+        is_photograph: bool = False,
         azimuth: float = 0.0,
     ) -> None:
+        self.is_photograph = is_photograph
         self.cells, self.is_plain, self.camera = cells, is_plain, Camera(azimuth=azimuth)
         self.card = {"model": "PictureReader", "parameters": 5}
         self.readings, self.figures = list(readings), figures
@@ -60,4 +62,5 @@ class Seeing:
             mask[: round(height * float(part.mask[0, 0]))] = 1
             found.append(replace(part, mask=mask, cells=self.cells))
         box = 0, 0, width, height
-        return PictureReading(tuple(found), self.camera, box, self.figures, 0.9, self.is_plain)
+        read = PictureReading(tuple(found), self.camera, box, self.figures, 0.9, self.is_plain)
+        return replace(read, is_photograph=self.is_photograph)

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 from scripted_maker import scripted_maker
@@ -11,10 +9,8 @@ from seeing import Seeing, worn
 
 from swifttailor.describing import Claim, measure_facts
 from swifttailor.pattern.drafts import draft
-from swifttailor.picture_reader.seen_design import SeenDesign
-from swifttailor.programs.read_parameter import ReadParameter
 from swifttailor.tailor import Tailor
-from swifttailor.tailor.picture_words import VAGUE, in_words, is_vague
+from swifttailor.tailor.picture_words import in_words
 from swifttailor.wishes.hearing import hear_description
 from swifttailor.wishes.reader import WishReader
 
@@ -25,19 +21,8 @@ TOP = {"kind": ("top", 0.9)}
 LEGS = {"kind": ("shorts", 0.9), "leg_hem": ("mid-thigh", 0.6), "legs": ("wide", 0.4)}
 
 
-def seen(name, said, certain=None):
-    """A garment; its one design parameter is read so surely."""
-    part = worn(name, {claim: (word, sure) for claim, (word, sure) in said.items()})
-    if certain is None:
-        return part
-    rest = (1 - certain) / 3
-    parameter = ReadParameter("a", ("w", "x", "y", "z"))
-    return replace(part, design=SeenDesign((parameter,), (np.array([certain, rest, rest, rest]),)))
-
-
-def test_where_the_design_is_hardly_read_only_words_are_taken():
-    assert is_vague(seen("upper", HOODIE, VAGUE - 0.05)) and not is_vague(seen("upper", HOODIE, VAGUE + 0.05))
-    assert not is_vague(seen("upper", HOODIE)), "a reader that says no designs"
+def seen(name, said):
+    return worn(name, {claim: (word, sure) for claim, (word, sure) in said.items()})
 
 
 @pytest.mark.parametrize(
@@ -56,6 +41,7 @@ def test_where_the_design_is_hardly_read_only_words_are_taken():
         ("upper", TOP | {"collar": ("lapel", 0.7), "sleeves": ("long", 0.4)}, "shirt", ""),
         ("lower", LEGS, "mid-thigh shorts", "mid-thigh"),
         ("lower", {"kind": ("skirt", 0.9), "skirt": ("a-line", 0.8)}, "A-line skirt", "A-line"),
+        ("lower", {"kind": ("trousers", 0.9), "leg_hem": ("knee", 0.8)}, "knee-length shorts", "knee-length"),
         ("lower", {}, "trousers", ""),
     ],
 )
@@ -77,27 +63,27 @@ def test_every_kind_can_be_said_and_is_heard_again():
 
 @pytest.fixture
 def asked(sewer):
-    def asked(said, certain):
-        eyes = Seeing((seen("upper", said, certain),))
+    def asked(said, *, is_photograph=True):
+        eyes = Seeing((seen("upper", said),), is_photograph=is_photograph)
         return Tailor(scripted_maker([draft("t-shirt")]), sewer, picture_reader=eyes)
 
     return asked
 
 
 def test_a_photograph_is_made_of_its_words(asked):
-    made = asked(HOODIE, 0.3).generate(image=PHOTO)
+    made = asked(HOODIE).generate(image=PHOTO)
     assert made.answer.draft == "hoodie" and Claim("hood", "hood").holds(measure_facts(made.pattern))
     assert "The picture was put into words: hoodie." in made.notes
     assert made.report["pictures"]["part"] == "upper"
-    sure = asked(HOODIE, 0.9).generate(image=PHOTO)
-    assert not sure.answer.draft and not any("put into words" in note for note in sure.notes)
+    drawn = asked(HOODIE, is_photograph=False).generate(image=PHOTO)
+    assert not drawn.answer.draft and not any("put into words" in note for note in drawn.notes)
 
 
 def test_words_outrank_a_photograph(asked):
-    made = asked(HOODIE, 0.3).generate("a sleeveless dress", PHOTO)
+    made = asked(HOODIE).generate("a sleeveless dress", PHOTO)
     facts = measure_facts(made.pattern)
     assert facts.kind == "dress" and Claim("sleeves", "none").holds(facts)
     assert any("overruled" in note and "long" in note for note in made.notes)
-    longer = asked(HOODIE, 0.3).generate("in red", PHOTO)
+    longer = asked(HOODIE).generate("in red", PHOTO)
     red = longer.answer.wanted.color
     assert longer.answer.draft == "hoodie" and red is not None and int(red[1:3], 16) > 2 * int(red[3:5], 16)

@@ -297,6 +297,8 @@ def seen_rows(upper, lower, high=90):
         ((10, 50), (50, 90), ("upper", "lower")),
         ((0, 12), (12, 80), ("lower",)),  # the hem of a shirt
         ((0, 30), (30, 80), ("lower", "upper")),
+        ((10, 60), (0, 0), ("upper",)),
+        ((0, 0), (0, 0), ("upper", "lower")),
     ],
 )
 def test_of_what_an_edge_leaves_little_nothing_is_made(upper, lower, seen):

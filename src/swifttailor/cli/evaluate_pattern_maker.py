@@ -209,7 +209,7 @@ class EvaluatePatternMaker:
         from swifttailor.pattern_library.known import SHIPPED as LIBRARY
         from swifttailor.pattern_maker.maker import SHIPPED
         from swifttailor.picture_reader.reader import SHIPPED as EYES
-        from swifttailor.picture_reader.reader import SHIPPED_LAID, SHIPPED_PLAIN
+        from swifttailor.picture_reader.reader import SHIPPED_LAID, SHIPPED_PLAIN, SHIPPED_SHOP
         from swifttailor.wishes.reader import SHIPPED as READER
         from swifttailor.wishes.reader import SHIPPED_SPOKEN as SPOKEN
 
@@ -226,6 +226,7 @@ class EvaluatePatternMaker:
                 found["plain_read_by"] = [file_identity(file) for file in plain]
                 if not own:
                     found["laid_read_by"] = file_identity(SHIPPED_LAID)
+                    found["photographs_read_by"] = file_identity(SHIPPED_SHOP)
             if self.source != "writer" and (self.weights is None or self.pattern_library is not None):
                 found["known_from"] = file_identity(self.pattern_library or LIBRARY)
             if self.source in ("both", "designs") and self.weights is None and self.pattern_library is None:

@@ -29,6 +29,8 @@ class EvaluatePictureReader:
     laid_reader_weights: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
     """Model file of a network that reads pictures of garments that nobody wears, beside --weights; that one
     reads them, too, without it."""
+    shop_reader_weights: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
+    """The same of one that tells photographs of people and reads those by shops."""
     data: Annotated[Path, tyro.conf.arg(metavar="DIR")]
     """Data set of sewn garments (swifttailor data build --engine network)."""
     out: Annotated[Path, tyro.conf.arg(metavar="DIR")] = Path("picture-reader-evaluation")
@@ -84,6 +86,7 @@ class EvaluatePictureReader:
             close_ups=self.close_up_weights or None,
             plain=self.plain_reader_weights or None,
             laid=self.laid_reader_weights,
+            shop=self.shop_reader_weights,
         )
         split = open_split(self.data, self.split)
         numbers = choose_samples(split, self.limit, self.seed)

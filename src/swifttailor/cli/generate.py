@@ -65,6 +65,9 @@ class Generate(Making):
     laid_reader_weights: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
     """Model file (.onnx) of a network that reads pictures of garments that nobody wears, beside
     --picture-reader-weights. Default: that one reads them, too."""
+    shop_reader_weights: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
+    """Model file (.onnx) of a network that tells photographs of people and reads those by shops, beside
+    --picture-reader-weights. Default: that one reads them, too."""
     pattern_library: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
     """Library (.zip) of known patterns. Default: the one in the package."""
 
@@ -109,6 +112,7 @@ class Generate(Making):
             self.close_up_weights,
             self.plain_reader_weights,
             self.laid_reader_weights,
+            self.shop_reader_weights,
         )
         return super().tailor(before, picture_reader=reader, pattern_library=self.pattern_library, **networks)
 

@@ -13,7 +13,11 @@ if TYPE_CHECKING:
 
 
 def chosen_reader(
-    weights: Path | None, close_ups: Sequence[Path], plain: Sequence[Path], laid: Path | None = None
+    weights: Path | None,
+    close_ups: Sequence[Path],
+    plain: Sequence[Path],
+    laid: Path | None = None,
+    shop: Path | None = None,
 ) -> Path | PictureReader | None:
     """What a tailor is given to read pictures with.
 
@@ -22,14 +26,16 @@ def chosen_reader(
         close_ups: Model files of networks that look at details.
         plain: Model files of the network that reads plain pictures, and of those that look at their details.
         laid: Model file of the network that reads garments that nobody wears.
+        shop: Model file of the network that reads shops' photographs of people.
 
     Raises:
-        InputError: `close_ups`, `plain` or `laid` are given without `weights`, or a file cannot be used.
+        InputError: Any of the others are given without `weights`, or a file cannot be used.
     """
     given = {
         "--close-up-weights": tuple(close_ups),
         "--plain-reader-weights": tuple(plain),
         "--laid-reader-weights": () if laid is None else (laid,),
+        "--shop-reader-weights": () if shop is None else (shop,),
     }
     if not any(given.values()):
         return weights
@@ -41,8 +47,8 @@ def chosen_reader(
         )
     from swifttailor.picture_reader.reader import PictureReader
 
-    reader = PictureReader.load(weights, close_ups=close_ups, plain=plain, laid=laid)
-    for opened in (reader.plain, reader.laid):
+    reader = PictureReader.load(weights, close_ups=close_ups, plain=plain, laid=laid, shop=shop)
+    for opened in (reader.plain, reader.laid, reader.shop):
         if opened is not None:
             opened()  # a file that cannot be used is refused before any work
     return reader

@@ -27,7 +27,7 @@ from swifttailor.picture_reader.labels import (
 )
 from swifttailor.picture_reader.panel_kinds import PANEL_KINDS
 from swifttailor.picture_reader.people_wear import as_people_wear
-from swifttailor.picture_reader.plain_pictures import one_colour_around
+from swifttailor.picture_reader.plain_pictures import mostly_one_colour_around, one_colour_around
 from swifttailor.picture_reader.reading import (
     PartReading,
     PictureReading,
@@ -55,6 +55,8 @@ SHIPPED_PLAIN = tuple(
 """Reads all of a plain picture; necks; waists, armholes, ends of sleeves and skirts."""
 SHIPPED_LAID = Path(__file__).with_name("laid_reader.onnx")
 """Reads pictures of garments that nobody wears."""
+SHIPPED_SHOP = Path(__file__).with_name("shop_reader.onnx")
+"""Tells photographs of people from drawings, and reads those before a plain ground, as shops show them."""
 FROM_NEAR = ("neck", "waist", "sleeve")
 """Of close-ups, see `CloseUp.part`: what a network that reads whole garments looks at; anything else it reads
 as well in a picture of all of the garment."""
@@ -83,10 +85,14 @@ KIND = ModelKind(
 )
 LEAST_LAID = 0.8
 """What is less surely a garment that nobody wears is read like others: to take a person for one is worse."""
+MOST_DESIGNED = 0.235
+"""Of a photograph the design is read no more surely than this by a network that has learnt to say none."""
 LEAST_FOUND = 0.8
 """How sure somebody has to be dressed in a part of a picture, where nobody is seen in all of it."""
 _SCALES = (1.0, 0.87, 1.15)
 """Sides of the frames of the nearer looks, in that around the garment."""
+_SHOP_SCALES = (1.0, 0.92, 1.1)
+"""The same of photographs by shops, in all of the picture."""
 _OF_A_FRAME = ("camera_view", "masks", "worn_places", "panel_kinds", "seams")
 _CM = 100.0
 
@@ -111,6 +117,8 @@ class PictureReader:
     """Gives the one that reads plain pictures together with it, and their details in its place."""
     laid: Callable[[], PictureReader] | None = None
     """Gives the one that reads garments that nobody wears, laid or hung, in its place."""
+    shop: Callable[[], PictureReader] | None = None
+    """Gives the one that tells photographs of people, and reads those before a plain ground in its place."""
     parameters: tuple[ReadParameter, ...] = ()
     """Design parameters that it reads."""
     near_designs: bool = False
@@ -123,6 +131,7 @@ class PictureReader:
         close_ups: Sequence[Path | str] | None = None,
         plain: Sequence[Path | str] | None = None,
         laid: Path | str | None = None,
+        shop: Path | str | None = None,
         threads: int = 1,
     ) -> PictureReader:
         """Opens a model file.
@@ -137,6 +146,8 @@ class PictureReader:
                 opened when the first picture comes that may be plain.
             laid: File of the network that reads garments that nobody wears; where `weights` are given and
                 this is not, they are read like others. It is opened with the first picture that is not plain.
+            shop: File of the network that reads shops' photographs of people; where `weights` are given and
+                this is not, they are read like others. It is opened as that for laid garments is.
             threads: CPU cores for the network.
 
         Raises:
@@ -150,8 +161,11 @@ class PictureReader:
         if weights is None:
             plain = SHIPPED_PLAIN if plain is None else plain
             laid = SHIPPED_LAID if laid is None else laid
+            shop = SHIPPED_SHOP if shop is None else shop
         if laid:
             reader = replace(reader, laid=cache(lambda: PictureReader._opened(laid, threads)))
+        if shop:
+            reader = replace(reader, shop=cache(lambda: PictureReader._opened(shop, threads)))
         if not plain:
             return reader
         whole, *details = plain
@@ -211,6 +225,9 @@ class PictureReader:
         nearer = self._looking_nearer(pixels, whole)
         if nearer is self and self.laid is not None and self.laid()._knows(pixels, whole, LEAST_LAID):
             return replace(self.laid().read(pixels), is_laid=True)
+        photograph = self.shop()._photographed(pixels, whole, first) if nearer is self and self.shop else None
+        if photograph is not None and mostly_one_colour_around(pixels):
+            return photograph
         if nearer is self:
             whole, first = self._searched(pixels, whole, first)
         seen: dict[int, tuple[Square, dict[str, Any]]] = {}
@@ -226,7 +243,24 @@ class PictureReader:
                 seen[part] = square, answers
                 waiting += [(k, *seen[part]) for k in parts_present(seen[part][1])]
         read = self._reading(first, whole, seen, (height, width), nearer.parameters)
-        return replace(read, is_plain=nearer is not self)
+        return replace(read, is_plain=nearer is not self, is_photograph=photograph is not None)
+
+    def _photographed(self, pixels: Pixels, whole: Square, located: dict[str, Any]) -> PictureReading | None:
+        """What a photograph of one dressed person shows, at three frames of it; None where it is none.
+
+        Args:
+            pixels: The picture.
+            whole: The square around it.
+            located: A look at that by a network that has learnt where garments are.
+        """
+        first, *others = (self._look(pixels, scaled(whole, scale), None) for scale in _SHOP_SCALES)
+        answers = {name: np.mean([first[name], *(o[name] for o in others)], axis=0) for name in first}
+        answers |= {name: first[name] for name in _OF_A_FRAME}
+        seen = dict.fromkeys(parts_present(answers), (whole, answers))
+        read = self._reading(answers, whole, seen, pixels.shape[:2], self.parameters)
+        designs = [part.design for part in read.parts if part.design is not None]
+        drawn = not designs or max(design.certainty for design in designs) > MOST_DESIGNED
+        return None if drawn or read.figures != "one" else replace(read, is_photograph=True)
 
     def _searched(
         self, pixels: Pixels, whole: Square, first: dict[str, Any]

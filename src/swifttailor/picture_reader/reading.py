@@ -106,6 +106,9 @@ class PictureReading:
     is_laid: bool = False
     """Whether nobody wears what it shows; a network reads it that knows no others."""
 
+    is_photograph: bool = False
+    """Whether it is seen to be no drawing; of clothes that nobody wears that is not asked."""
+
     @property
     def face(self) -> str:
         """Which side of the wearer is seen: ``front``, ``back`` or ``side``."""
@@ -124,6 +127,7 @@ class PictureReading:
             "figures_certainty": round(self.figures_certainty, 3),
             "side": self.face,
             "worn": not self.is_laid,
+            "photograph": self.is_photograph,
             "box": list(self.box),
             "parts": [
                 {

@@ -43,6 +43,11 @@ class SeenDesign:
         rows = zip(self.parameters, self.shares, strict=True)
         return {one.name: float(np.arange(len(row)) @ row) for one, row in rows if one.is_number}
 
+    @property
+    def certainty(self) -> float:
+        """How sure the likeliest values are, in the mean of the parameters."""
+        return float(np.mean([row.max() for row in self.shares]))
+
     @staticmethod
     def together(seen: Sequence[SeenDesign]) -> SeenDesign:
         """Of several pictures of one garment, each counting as much as the others."""

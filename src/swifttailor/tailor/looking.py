@@ -86,11 +86,14 @@ def parts_cut_off(pictures: Sequence[SeenPicture]) -> tuple[Part, ...]:
 
 
 def _is_cut_off(picture: SeenPicture, name: str) -> bool:
-    """Whether the lower edge leaves little of what covers the legs, or the upper one of what is above."""
+    """Whether the lower edge leaves little of what covers the legs, or the upper one of what is above.
+
+    So it is where beside another garment nothing can be set off of it.
+    """
     rows = {one.part: np.flatnonzero((one.mask > 0.5).any(axis=1)) for one in picture.reading.parts}
     own, other = rows[name], rows.get("upper" if name == "lower" else "lower")
     if other is None or not len(own) or not len(other):
-        return False
+        return not len(own) and other is not None and len(other) > 0
     high, share = np.ptp(own) + 1, _LEAST_SEEN[name] * (np.ptp(other) + 1)
     last = len(picture.pixels) - 1
     margin = _AT_EDGE * last

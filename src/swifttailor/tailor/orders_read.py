@@ -16,7 +16,7 @@ from swifttailor.render.picture_file import read_picture
 from swifttailor.tailor.looking import ReadsPictures, SeenPicture, look_at, part_wanted, parts_cut_off
 from swifttailor.tailor.order import NO_READER, Order, one_line
 from swifttailor.tailor.picture_color import color_taken
-from swifttailor.tailor.picture_words import in_words, is_vague
+from swifttailor.tailor.picture_words import in_words
 from swifttailor.tailor.reading import Wanted, facts_of
 from swifttailor.tailor.seen_wishes import not_overruled, seen_wishes
 from swifttailor.wishes.heard import Heard
@@ -93,8 +93,8 @@ def _read_order(order: Order, reader: WishReader | None, eyes: ReadsPictures | N
         doubt = (str(error),)
         return Wanted(order, text, None, sure, likely, pictures=pictures, warnings=doubt, heard=heard)
     kept, gone = not_overruled(seen_wishes(part), (*sure, *likely))
-    plain = any(one.reading.is_plain for one in pictures)
-    if order.source in ("both", "drafts") and order.edit is None and not plain and is_vague(part):
+    photographs = all(one.reading.is_photograph for one in pictures)
+    if photographs and order.source in ("both", "drafts") and order.edit is None:
         named = heard.kind is not None
         return _put_into_words(order, reader, pictures, part, gone, named=named)
     image, notes = _shown(pictures[0], order.crop)

@@ -10,13 +10,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from types import MappingProxyType
 
-import numpy as np
-
 from swifttailor.picture_reader.reading import PartReading
 
-VAGUE = 0.42
-"""Where the design parameters of a garment are read less surely, in the mean of their likeliest values, only
-words are taken from a picture."""
 _SURE, _RATHER = 0.5, 0.6
 _SHORT = ("cap", "short", "elbow")
 _SLEEVES: Mapping[str, str] = MappingProxyType(
@@ -60,6 +55,7 @@ _LEG_HEMS: Mapping[str, str] = MappingProxyType(
         "ankle": "ankle-length",
     }
 )
+_OF_SHORTS = ("very short", "mid-thigh", "thigh", "knee")
 _LEGS: Mapping[str, str] = MappingProxyType(
     {"wide": "wide-leg", "tapered": "tapered", "slim": "slim", "flared": "flared"}
 )
@@ -90,13 +86,6 @@ _HEMS: Mapping[str, tuple[str, Mapping[str, str]]] = MappingProxyType(
 """Of kinds of garments on the shoulders: the claim about the hem, and its words."""
 
 
-def is_vague(part: PartReading) -> bool:
-    """Whether of a garment in a picture no more is read than words tell."""
-    if part.design is None:
-        return False
-    return float(np.mean([shares.max() for shares in part.design.shares])) < VAGUE
-
-
 def in_words(part: PartReading, without: frozenset[str] = frozenset(), *, named: bool = False) -> str:
     """What was read of a garment, as somebody would ask for it: "hoodie, long-sleeved".
 
@@ -108,6 +97,8 @@ def in_words(part: PartReading, without: frozenset[str] = frozenset(), *, named:
     said = {name: word for name, word in _likeliest(part).items() if name == "kind" or name not in without}
     kind = said.get("kind", "top" if part.part == "upper" else "trousers")
     if kind in ("trousers", "shorts"):
+        hem = said.get("leg_hem")
+        kind = kind if hem is None else "shorts" if hem in _OF_SHORTS else "trousers"
         words = [_LEG_HEMS.get(said.get("leg_hem", "")), _LEGS.get(said.get("legs", ""))]
         return _joined(words, "" if named else kind)
     if kind == "skirt":
