@@ -75,6 +75,8 @@ def test_a_photograph_is_made_of_its_words(asked):
     assert made.answer.draft == "hoodie" and Claim("hood", "hood").holds(measure_facts(made.pattern))
     assert "The picture was put into words: hoodie." in made.notes
     assert made.report["pictures"]["part"] == "upper"
+    asked_for = made.report["wishes"]
+    assert asked_for and all(wish["from"] == "picture" for wish in asked_for)
     drawn = asked(HOODIE, is_photograph=False).generate(image=PHOTO)
     assert not drawn.answer.draft and not any("put into words" in note for note in drawn.notes)
 

@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from swifttailor.arrays import Pixels
-from swifttailor.describing.differences import Gain
+from swifttailor.describing.differences import Change, Gain
 from swifttailor.errors import InputError, NothingAskedError, NothingSeenError
 from swifttailor.pattern_maker.asking.framing import Framing, frame_figure
 from swifttailor.picture_reader.reading import PartReading
@@ -95,8 +95,9 @@ def _read_order(order: Order, reader: WishReader | None, eyes: ReadsPictures | N
     kept, gone = not_overruled(seen_wishes(part), (*sure, *likely))
     photographs = all(one.reading.is_photograph for one in pictures)
     if photographs and order.source in ("both", "drafts") and order.edit is None:
+        own = frozenset(w.change for w in (*sure, *likely))
         named = heard.kind is not None
-        return _put_into_words(order, reader, pictures, part, gone, named=named)
+        return _put_into_words(order, reader, pictures, part, gone, named=named, said=own)
     image, notes = _shown(pictures[0], order.crop)
     notes = (*notes, *_left_out(pictures, order))
     sure = (*sure, *(w for w in kept if w.certainty >= SURE))
@@ -115,6 +116,7 @@ def _put_into_words(
     gone: tuple[Wish, ...],
     *,
     named: bool,
+    said: frozenset[Change],
 ) -> Wanted:
     """An order whose pictures are photographs, as if their words had been typed beside the text."""
     names = frozenset(w.change.claim.name for w in gone if isinstance(w.change, Gain))
@@ -136,6 +138,7 @@ def _put_into_words(
         heard=heard,
         seen_color=color,
         in_words=part,
+        worded=tuple([w for w in (*heard.sure, *heard.likely) if w.change not in said]),
     )
 
 

@@ -88,8 +88,14 @@ class Wanted:
     """Of its cloth in the first picture, where words leave it to that."""
     in_words: PartReading | None = None
     """What the pictures say of the garment, where that was put into words and these joined the text."""
+    worded: tuple[Wish, ...] = ()
+    """The wishes that these words ask for."""
     shown: frozenset[Change] = frozenset()
     """What is true to the eye of the draft that it begins from, though not as it is measured."""
+
+    def is_shown(self, wish: Wish) -> bool:
+        """Whether a wish is the pictures', read there or put into words."""
+        return wish in self.seen or wish in self.worded
 
     @property
     def said(self) -> tuple[Wish, ...]:

@@ -150,7 +150,7 @@ def order_report(answer: Answer, wanted: Wanted) -> dict[str, Any]:
             {
                 "wish": wish_line(w.change),
                 "certainty": round(w.certainty, 3),
-                "from": "picture" if w in wanted.seen else "text",
+                "from": "picture" if wanted.is_shown(w) else "text",
                 "holds": w.change not in answer.verdict.open,
             }
             for w in wanted.wishes

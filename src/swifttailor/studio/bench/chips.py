@@ -155,7 +155,7 @@ def reading_of(made: Tailored, facts: GarmentFacts | None) -> dict[str, Any]:
     spans = {} if facts is None else dimension_spans(facts)
 
     def chip(wish: Wish, holds: bool) -> dict[str, Any]:
-        source = "picture" if wish in wanted.seen else "text"
+        source = "picture" if wanted.is_shown(wish) else "text"
         return change_chip(wish.change, certainty=wish.certainty, source=source, holds=holds, spans=spans)
 
     done = [chip(w, True) for w in wanted.wishes if w.change not in verdict.open]
