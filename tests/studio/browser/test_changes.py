@@ -54,8 +54,8 @@ def test_a_drape_is_watched_and_stopped(studio_page, shot):
     page.locator(f'.garment-window canvas:not([data-frame="{first}"])').wait_for(timeout=WORK_MS)
     assert int(page.locator(".garment-window canvas").get_attribute("data-frame")) > first
     assert "frame" in bar.inner_text()
+    bar.get_by_role("button", name="Stop").click()  # before the drape has come to its own end
     shot(page, "drape-live")
-    bar.get_by_role("button", name="Stop").click()
     studio_page.wait_for_another_mesh(before)
     studio_page.wait_for_work()
     assert page.locator(".stage-note").inner_text() == "Draped until stopped"
