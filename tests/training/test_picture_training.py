@@ -358,6 +358,7 @@ def test_the_loss_is_least_where_the_reading_is_true():
     measures = torch.randn(2, 2, dimensions, generator=chance)
     truth = Answers(
         present=torch.tensor([[1.0, 0.0], [1.0, 1.0]]),
+        told=torch.ones(2, 2, dtype=torch.bool),
         whole=torch.tensor([True, True]),
         placed=torch.tensor([True, True]),
         statements=lots(2, 2, statements),
@@ -413,6 +414,12 @@ def test_the_loss_is_least_where_the_reading_is_true():
     astray = reading._replace(view=reading.view + 9 * (1 - sides))
     lost = reading_losses(astray, truth._replace(placed=torch.tensor([False, False])), LossWeights())
     assert float(lost["view"]) == 0, "but clothes show their fronts"
+    half = truth._replace(told=torch.tensor([[True, False], [True, False]]))
+    other = reading._replace(present=reading.present * torch.tensor([1.0, -1.0]))
+    assert float(reading_losses(other, half, LossWeights())["present"]) < 1e-3, (
+        "nobody told what covers the legs"
+    )
+    assert float(reading_losses(other, truth, LossWeights())["present"]) > 10
     unclear = reading._replace(statements=torch.where(truth.clear, reading.statements, -reading.statements))
     assert float(reading_losses(unclear, truth, LossWeights())["statements"]) < 1e-3, (
         "the border counts nothing"
