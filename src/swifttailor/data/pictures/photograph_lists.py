@@ -114,7 +114,7 @@ def _of_garments(folder: Path, split: str) -> Iterator[Photograph]:
             azimuth = SIDES[row.get("side", "front")]
         except (ValueError, TypeError, KeyError, AttributeError, AssertionError) as error:
             raise InputError(
-                f"Line {number} of '{folder / OF_GARMENTS}' is none: {error}. {LISTS}"
+                f"Line {number} of '{folder / OF_GARMENTS}' cannot be used: {error}. {LISTS}"
             ) from error
         path = folder / image
         if path.resolve().is_relative_to(within) and path.is_file():
