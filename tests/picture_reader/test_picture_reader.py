@@ -367,6 +367,22 @@ def test_plain_pictures_are_read_by_the_network_that_knows_them_as_well(border, 
     assert len(own.guesses) == (4 if is_plain else int(asked)), "whether it is plain, and as many"
 
 
+@pytest.mark.parametrize("somebody", [None, 0.5, 0.9])
+def test_what_somebody_wears_is_not_laid(somebody):
+    from swifttailor.picture_reader.person_finder import Person
+
+    said = np.tile([1.0, 0.0], (len(statement_labels()), 1))
+    picture = np.random.default_rng(0).integers(0, 256, (640, 640, 3), np.uint8)
+
+    class Finder:
+        def find(self, pixels, small):
+            return None if somebody is None else Person(somebody, np.ones(pixels.shape[:2], np.float32))
+
+    laid = PictureReader(Wearing(3.0), 64, said, {})
+    reader = PictureReader(Wearing(1.0), 64, said, {}, laid=lambda: laid, people=Finder)
+    assert reader.read(picture).is_laid == (somebody != 0.9)
+
+
 @pytest.mark.parametrize("known", [True, False])
 def test_what_nobody_wears_is_read_by_the_network_for_it(known):
     said = np.tile([1.0, 0.0], (len(statement_labels()), 1))

@@ -158,6 +158,20 @@ def test_two_garments_are_worn_by_one_person(wardrobe):
     assert len(heights) > 5 and all(upper < lower for upper, lower in heights)
 
 
+def test_people_who_are_cut_out_have_white_behind_them(wardrobe):
+    for k in range(6):
+        whole, cut = (
+            draw_scene(wardrobe, k, "front", np.random.default_rng(k), SIZE, cut_out=cut_out)
+            for cut_out in (1e-9, 1.0)
+        )
+        assert (whole.masks == cut.masks).all() and (whole.garments == cut.garments).all()
+        border = np.concatenate([cut.pixels[0], cut.pixels[:, 0], cut.pixels[:, -1]])
+        assert (border.min(axis=1) > 240).mean() > 0.5
+        inside = cut.masks.max(axis=2).repeat(4, 0).repeat(4, 1) == 255
+        kept = np.abs(cut.pixels.astype(int) - whole.pixels).max(axis=2)[inside] < 40
+        assert not inside.any() or kept.mean() > 0.6
+
+
 def test_looks_that_are_held_out_are_never_learnt_from(wardrobe, monkeypatch):
     from swifttailor.data.pictures import scenes as picture_scenes
 

@@ -10,7 +10,8 @@ import pytest
 from PIL import Image
 
 from swifttailor.data.pictures.bank import PictureBank
-from swifttailor.data.pictures.cut_outs import on_a_ground, shown_person, white_around
+from swifttailor.data.pictures.cut_outs import cover_of, on_a_ground, shown_person, white_around
+from swifttailor.data.pictures.on_white import on_white
 from swifttailor.data.pictures.photograph_lists import SPLITS, listed, split_of
 from swifttailor.data.pictures.photographs import Photographs
 from swifttailor.data.pictures.scenes import UNTOLD
@@ -95,12 +96,40 @@ def test_people_are_cut_out_of_white(folder):
     ground = white_around(pixels)
     assert ground[:20].all() and ground[42:48, 27:33].all()
     assert not ground[22:38, 17:43].any()
-    shown = on_a_ground(pixels, ground, (0, 0, 90), 45, np.random.default_rng(3))
-    assert (shown[12:18, 10:20, 0] > shown[12:18, 10:20, 1:].max(axis=2) + 40).all(), "the tee is still there"
+    small = np.array(Image.fromarray(pixels).resize((30, 45)).crop((-8, 0, 37, 45)))
+    cover = cover_of(ground, (-15, 0, 90), 45)
+    assert cover.shape == (45, 45) and cover[15:18, 18:28].min() == 1 and cover[:8].max() == 0
+    shown = on_a_ground(small, cover, np.random.default_rng(3))
+    assert (shown[12:18, 18:28, 0] > shown[12:18, 18:28, 1:].max(axis=2) + 40).all(), "the tee is still there"
     assert (shown[:8] < 250).any(axis=2).mean() > 0.9, "and the white around it is not"
     cut = np.array(pixels)
     cut[:, :40] = (90, 120, 60)
     assert white_around(cut) is None
+
+
+def test_some_are_shown_as_if_cut_out(folder):
+    pixels = np.array(Image.open(folder / "0.png"))
+    whites = {0.0: 0, 1.0: 0}
+    for cut_out in whites:
+        for seed in range(40):
+            shown, _ = shown_person(pixels, 60, np.random.default_rng(seed), near=False, cut_out=cut_out)
+            whites[cut_out] += bool((shown[0] > 250).all() and (shown.min(axis=2) < 200).any())
+    assert whites[1.0] > 35 and whites[0.0] < 30, "which a crop may hide"
+
+
+def test_what_is_cut_out_stays_and_its_edge_moves():
+    pixels = np.full((64, 64, 3), 90, np.uint8)
+    cover = np.zeros((64, 64), np.float32)
+    cover[16:48, 16:48] = 1
+    inside, outside = [], []
+    for seed in range(20):
+        chance = np.random.default_rng(seed)
+        shown = on_white(pixels, cover, chance)
+        assert (shown[:6] > 200).all() and np.abs(shown[26:38, 26:38].astype(int) - 90).max() < 100
+        shown = shown.min(axis=2)
+        inside.append((shown[16:48, 16:48] < 170).sum())
+        outside.append((shown[14:50, 14:50] < 230).sum() - (shown[16:48, 16:48] < 230).sum())
+    assert min(inside) < 1005 and max(inside) > 1020 and min(outside) < 10 and max(outside) > 30
 
 
 def test_who_is_cut_off_stays_at_the_edge():

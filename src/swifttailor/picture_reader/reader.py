@@ -27,7 +27,9 @@ from swifttailor.picture_reader.labels import (
 )
 from swifttailor.picture_reader.panel_kinds import PANEL_KINDS
 from swifttailor.picture_reader.people_wear import as_people_wear
-from swifttailor.picture_reader.plain_pictures import mostly_one_colour_around, one_colour_around
+from swifttailor.picture_reader.person_finder import PersonFinder
+from swifttailor.picture_reader.photographed import as_photograph, says_no_design, surely_somebody
+from swifttailor.picture_reader.plain_pictures import one_colour_around
 from swifttailor.picture_reader.reading import (
     PartReading,
     PictureReading,
@@ -85,8 +87,6 @@ KIND = ModelKind(
 )
 LEAST_LAID = 0.8
 """What is less surely a garment that nobody wears is read like others: to take a person for one is worse."""
-MOST_DESIGNED = 0.235
-"""Of a photograph the design is read no more surely than this by a network that has learnt to say none."""
 LEAST_FOUND = 0.8
 """How sure somebody has to be dressed in a part of a picture, where nobody is seen in all of it."""
 _SCALES = (1.0, 0.87, 1.15)
@@ -119,6 +119,8 @@ class PictureReader:
     """Gives the one that reads garments that nobody wears, laid or hung, in its place."""
     shop: Callable[[], PictureReader] | None = None
     """Gives the one that tells photographs of people, and reads those before a plain ground in its place."""
+    people: Callable[[], PersonFinder] | None = None
+    """Gives what cuts people out of other photographs, so that `shop` reads these, too."""
     parameters: tuple[ReadParameter, ...] = ()
     """Design parameters that it reads."""
     near_designs: bool = False
@@ -165,7 +167,8 @@ class PictureReader:
         if laid:
             reader = replace(reader, laid=cache(lambda: PictureReader._opened(laid, threads)))
         if shop:
-            reader = replace(reader, shop=cache(lambda: PictureReader._opened(shop, threads)))
+            people = cache(lambda: PersonFinder.load(threads=threads))
+            reader = replace(reader, shop=cache(lambda: PictureReader._opened(shop, threads)), people=people)
         if not plain:
             return reader
         whole, *details = plain
@@ -223,11 +226,17 @@ class PictureReader:
         whole = ((width - side) // 2, (height - side) // 2, side)
         first = self._look(pixels, whole, None)
         nearer = self._looking_nearer(pixels, whole)
-        if nearer is self and self.laid is not None and self.laid()._knows(pixels, whole, LEAST_LAID):
+        laid = nearer is self and self.laid is not None and self.laid()._knows(pixels, whole, LEAST_LAID)
+        if laid and self.laid is not None and not surely_somebody(pixels, self.people):
             return replace(self.laid().read(pixels), is_laid=True)
-        photograph = self.shop()._photographed(pixels, whole, first) if nearer is self and self.shop else None
-        if photograph is not None and mostly_one_colour_around(pixels):
-            return photograph
+        is_photograph = False
+        if nearer is self and self.shop is not None:
+            read = self.shop().at_frames(pixels, whole, first)
+            vague = says_no_design(read)
+            is_photograph = vague and read.figures != "none"
+            read = as_photograph(pixels, read, self.people, self._of_a_cut_out) if vague else None
+            if read is not None:
+                return read
         if nearer is self:
             whole, first = self._searched(pixels, whole, first)
         seen: dict[int, tuple[Square, dict[str, Any]]] = {}
@@ -243,24 +252,25 @@ class PictureReader:
                 seen[part] = square, answers
                 waiting += [(k, *seen[part]) for k in parts_present(seen[part][1])]
         read = self._reading(first, whole, seen, (height, width), nearer.parameters)
-        return replace(read, is_plain=nearer is not self, is_photograph=photograph is not None)
+        return replace(read, is_plain=nearer is not self, is_photograph=is_photograph)
 
-    def _photographed(self, pixels: Pixels, whole: Square, located: dict[str, Any]) -> PictureReading | None:
-        """What a photograph of one dressed person shows, at three frames of it; None where it is none.
+    def _of_a_cut_out(self, cut: Pixels, square: Square) -> PictureReading:
+        assert self.shop is not None
+        return self.shop().at_frames(cut, square, self._look(cut, square, None))
+
+    def at_frames(self, pixels: Pixels, whole: Square, located: dict[str, Any]) -> PictureReading:
+        """What is seen at three frames of a picture that somebody fills.
 
         Args:
             pixels: The picture.
-            whole: The square around it.
+            whole: A square of it.
             located: A look at that by a network that has learnt where garments are.
         """
         first, *others = (self._look(pixels, scaled(whole, scale), None) for scale in _SHOP_SCALES)
         answers = {name: np.mean([first[name], *(o[name] for o in others)], axis=0) for name in first}
         answers |= {name: first[name] for name in _OF_A_FRAME}
         seen = dict.fromkeys(parts_present(answers), (whole, answers))
-        read = self._reading(answers, whole, seen, pixels.shape[:2], self.parameters)
-        designs = [part.design for part in read.parts if part.design is not None]
-        drawn = not designs or max(design.certainty for design in designs) > MOST_DESIGNED
-        return None if drawn or read.figures != "one" else replace(read, is_photograph=True)
+        return self._reading(answers, whole, seen, pixels.shape[:2], self.parameters)
 
     def _searched(
         self, pixels: Pixels, whole: Square, first: dict[str, Any]

@@ -68,6 +68,7 @@ class PictureBatches:
             near=config.near,
             parts=config.parts,
             photographs=photographs,
+            cut_out=config.cut_out,
         )
         self.truths = TruthTable(bank, self._device, designs, photographs=photographs)
         self._each = config.block * config.echo // self._size

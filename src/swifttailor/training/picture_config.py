@@ -98,6 +98,8 @@ class PictureConfig(LoopConfig):
     """Share of pictures of garments that nobody wears, laid or hung."""
     photograph: float = 0.0
     """Share of photographs of clothes of which some claims are known (--photographs)."""
+    cut_out: float = 0.0
+    """Share of people, drawn ones and photographs on white, that are shown as if cut out of a picture."""
     worn: float = 0.0
     """Share of pictures of people and of bodies of which is learnt that they show nothing: for a reader that
     is asked of laid garments alone, and says which are."""
@@ -134,6 +136,7 @@ class PictureConfig(LoopConfig):
             f"such that {', '.join(self.shares)} are at most 1 together",
         )
         require(self, "close", 0 <= self.close <= 1, "0 to 1")
+        require(self, "cut_out", 0 <= self.cut_out <= 1, "0 to 1")
         accepted = f"some of {', '.join(ALL_PARTS)}"
         require(self, "parts", bool(self.parts) and set(self.parts) <= set(ALL_PARTS), accepted)
         require(self, "near", 0 <= self.near <= 1, "0 to 1")

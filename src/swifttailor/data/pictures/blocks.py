@@ -101,6 +101,7 @@ class Blocks:
         near: float = 0.65,
         parts: Sequence[str] = ALL_PARTS,
         photographs: Photographs | None = None,
+        cut_out: float = 0.0,
     ) -> None:
         """Prepares to draw.
 
@@ -115,8 +116,9 @@ class Blocks:
             parts: Of close-ups, see `CloseUp.part`. Where these are not all, garments without them are passed
                 over.
             photographs: What the share of photographs is taken from.
+            cut_out: Share of people, drawn ones and photographs on white, that are shown as if cut out.
         """
-        self.photographs = photographs
+        self.photographs, self.cut_out = photographs, cut_out
         self.wardrobe, self.seed, self.size, self.count = Wardrobe(bank), seed, size, count
         self.shares, self.close, self.near = dict(shares), close, near
         self.parts = tuple(parts)
@@ -143,7 +145,16 @@ class Blocks:
             garment = next((g for g in others if has_any(self.wardrobe.bank[g], self.parts)), garment)
         near = family == "plain" and not close and chance.random() < self.near
         return draw(
-            self.wardrobe, garment, family, view, chance, self.size, near=near, close=close, parts=self.parts
+            self.wardrobe,
+            garment,
+            family,
+            view,
+            chance,
+            self.size,
+            near=near,
+            close=close,
+            parts=self.parts,
+            cut_out=self.cut_out,
         )
 
     def _photographed(
@@ -151,7 +162,7 @@ class Blocks:
     ) -> Scene | None:
         """A photograph, or a drawing before a part of one; None for a drawing with nothing of any."""
         if family == "photograph":
-            return photographs.shown(chance, self.size, len(self.wardrobe.bank))
+            return photographs.shown(chance, self.size, len(self.wardrobe.bank), self.cut_out)
         if chance.random() > (_ON_PHOTOGRAPHS if family == "laid" else _PEOPLE_ON_PHOTOGRAPHS):
             return None
         ground = photographs.ground(chance, self.size)
@@ -181,6 +192,7 @@ def draw(
     near: bool = False,
     close: bool = False,
     parts: Sequence[str] = ALL_PARTS,
+    cut_out: float = 0.0,
 ) -> Scene:
     """A picture of a garment.
 
@@ -194,6 +206,7 @@ def draw(
         near: Whether a garment that is shown plainly fills the picture.
         close: Whether one of `CLOSE_UPS` fills it, where there is a garment that has any.
         parts: Of close-ups, see `CloseUp.part`.
+        cut_out: How likely people, but those held out, are shown as if cut out.
     """
     if family == "nothing":
         return draw_nothing(chance, size)
@@ -207,7 +220,10 @@ def draw(
         return unread(draw(wardrobe, number, other, view, chance, size).pixels, "none")
     if family in ("people", "held out"):
         held_out = family == "held out"
-        return draw_scene(wardrobe, number, view, chance, size, held_out=held_out, close=close, parts=parts)
+        cut_out = 0.0 if held_out else cut_out
+        return draw_scene(
+            wardrobe, number, view, chance, size, held_out=held_out, close=close, parts=parts, cut_out=cut_out
+        )
     worn = wardrobe.bank[number]
     if family in ("plain", "seamless"):
         side = view if view != "free" else VIEWS[int(chance.integers(2))]

@@ -9,7 +9,8 @@ from numpy.typing import NDArray
 
 from swifttailor.arrays import Pixels
 from swifttailor.data.pictures.closer import coarsened
-from swifttailor.data.pictures.scenes import linear_light
+from swifttailor.data.pictures.linear_light import linear_light
+from swifttailor.data.pictures.on_white import on_white
 from swifttailor.data.renders.backdrops import random_scenery
 from swifttailor.data.renders.camera_effects import random_effects
 from swifttailor.picture_reader.cut_square import cut_square
@@ -38,7 +39,9 @@ _FINER = 2
 _EFFECTS = 0.5
 
 
-def shown_person(pixels: Pixels, size: int, chance: np.random.Generator, *, near: bool) -> tuple[Pixels, int]:
+def shown_person(
+    pixels: Pixels, size: int, chance: np.random.Generator, *, near: bool, cut_out: float = 0.0
+) -> tuple[Pixels, int]:
     """A photograph of somebody as other people take it, and how many pixels of it that is from side to side.
 
     Those on white are mostly put before something else. Whoever is cut off by an edge then stays at that edge
@@ -49,17 +52,22 @@ def shown_person(pixels: Pixels, size: int, chance: np.random.Generator, *, near
         size: Pixels along each side of the result.
         chance: Decides.
         near: Whether only head and shoulders are shown.
+        cut_out: Share of those on white that are shown as if cut out of something else, see `on_white`.
     """
     ground = white_around(pixels)
-    replaced = ground is not None and chance.random() < _ON_A_GROUND
+    cut = ground is not None and cut_out > 0 and chance.random() < cut_out
+    replaced = ground is not None and not cut and chance.random() < _ON_A_GROUND
     square = _square(pixels.shape[:2], ground, chance, near=near, far=replaced)
+    shown = cut_square(pixels, square, size)
     if ground is not None and replaced:
-        shown = on_a_ground(pixels, ground, square, size, chance)
-    else:
-        shown = cut_square(pixels, square, size)
+        shown = on_a_ground(shown, cover_of(ground, square, size), chance)
+    elif cut and chance.random() < _EFFECTS:
+        shown = random_effects(chance).apply(shown)
     if chance.random() < _DARK:
         light = float(np.exp(chance.uniform(np.log(_DARKEST), 0.0)))
         shown = encode_srgb(light * linear_light(shown))
+    if ground is not None and cut:
+        shown = on_white(shown, cover_of(ground, square, size), chance)
     return coarsened(shown, chance), square[2]
 
 
@@ -93,29 +101,30 @@ def _square(
     return left, top, side
 
 
-def on_a_ground(
-    pixels: Pixels,
-    ground: NDArray[np.bool_],
-    square: tuple[int, int, int],
-    size: int,
-    chance: np.random.Generator,
-) -> Pixels:
-    """(size, size, 3): a square of a photograph on white with something else behind what it shows.
+def cover_of(ground: NDArray[np.bool_], square: tuple[int, int, int], size: int) -> NDArray[np.float32]:
+    """(size, size) how much of each pixel shows somebody, in a square of a photograph on white.
 
     Args:
-        pixels: (h, w, 3) the photograph.
         ground: (h, w) what is white there, see `white_around`.
         square: Left, top, side, see `cut_square`.
         size: Pixels along each side of the result.
-        chance: Decides what is behind.
     """
     mask = np.where(ground, 0, 255).astype(np.uint8)
-    fine = cut_square(np.repeat(mask[:, :, None], 3, axis=2), square, _FINER * size)[:, :, :1]
-    cover = fine.reshape(size, _FINER, size, _FINER, 1).mean(axis=(1, 3)).astype(np.float32) / 255
-    cover = np.clip(1.5 * cover - 0.5, 0.0, 1.0)  # what is half white has the photograph's white in it
-    shown = cut_square(pixels, square, size)
-    level = float(chance.uniform(0.7, 1.1))
-    light = random_scenery(chance).light(size) * (1 - cover) + cover * level * linear_light(shown)
+    fine = cut_square(np.repeat(mask[:, :, None], 3, axis=2), square, _FINER * size)[:, :, 0]
+    cover = fine.reshape(size, _FINER, size, _FINER).mean(axis=(1, 3)).astype(np.float32) / 255
+    return np.clip(1.5 * cover - 0.5, 0.0, 1.0)  # what is half white has the photograph's white in it
+
+
+def on_a_ground(pixels: Pixels, cover: NDArray[np.float32], chance: np.random.Generator) -> Pixels:
+    """(s, s, 3): somebody with something else behind, in another light.
+
+    Args:
+        pixels: (s, s, 3).
+        cover: (s, s) how much of each pixel shows somebody.
+        chance: Decides what is behind.
+    """
+    level, cover = float(chance.uniform(0.7, 1.1)), cover[:, :, None]
+    light = random_scenery(chance).light(len(pixels)) * (1 - cover) + cover * level * linear_light(pixels)
     drawn = encode_srgb(light)
     return random_effects(chance).apply(drawn) if chance.random() < _EFFECTS else drawn
 

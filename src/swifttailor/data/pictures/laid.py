@@ -14,8 +14,9 @@ from swifttailor.body.limbs import arm, leg, other_side
 from swifttailor.body.pose import Pose
 from swifttailor.body.rig import HANGING, Rig, Weights, mirrored_name
 from swifttailor.data.pictures.bank import WornGarment
+from swifttailor.data.pictures.linear_light import linear_light
 from swifttailor.data.pictures.panel_cells import panel_cells
-from swifttailor.data.pictures.scenes import Chance, Scene, View, Wardrobe, cloth_surface, linear_light
+from swifttailor.data.pictures.scenes import Chance, Scene, View, Wardrobe, cloth_surface
 from swifttailor.data.pictures.worn_places import worn_places
 from swifttailor.data.renders.backdrop_colors import mixed_color, random_tint
 from swifttailor.data.renders.camera_effects import random_effects

@@ -12,9 +12,10 @@ from numpy.typing import NDArray
 
 from swifttailor.arrays import Pixels
 from swifttailor.data.pictures.cut_outs import shown_person
+from swifttailor.data.pictures.linear_light import linear_light
 from swifttailor.data.pictures.odd_scenes import unread
 from swifttailor.data.pictures.photograph_lists import LISTS, listed
-from swifttailor.data.pictures.scenes import UNTOLD, Chance, Scene, linear_light
+from swifttailor.data.pictures.scenes import UNTOLD, Chance, Scene
 from swifttailor.errors import InputError
 from swifttailor.pattern.names import PANEL_NAMES
 from swifttailor.picture_reader.cut_square import cut_square
@@ -78,13 +79,14 @@ class Photographs:
         side = max(round(min(pixels.shape[:2]) * float(chance.uniform(*_CORNER))), 1)
         return linear_light(cut_square(np.ascontiguousarray(pixels), (0, 0, side), size))
 
-    def shown(self, chance: Chance, size: int, behind: int) -> Scene:
+    def shown(self, chance: Chance, size: int, behind: int, cut_out: float = 0.0) -> Scene:
         """One of them by lot, cut and mirrored by lot, as a picture to learn from.
 
         Args:
             chance: Decides.
             size: Pixels along each side.
             behind: How many garments a bank has: `kinds` are numbered behind them.
+            cut_out: Share of people on white that are shown as if cut out, see `shown_person`.
         """
         label = list(self._of_label)[int(chance.choice(len(self._of_label), p=self._shares))]
         some = self._of_label[label]
@@ -97,7 +99,7 @@ class Photographs:
         near = False
         if photograph.is_worn:
             near = kind is not None and kind.part == "upper" and chance.random() < _PORTRAITS
-            shown, side = shown_person(pixels, size, chance, near=near)
+            shown, side = shown_person(pixels, size, chance, near=near, cut_out=cut_out)
         else:
             shown, side = _cut_by_lot(pixels, size, chance, all_of_it=kind is not None)
         scene = unread(shown, "one" if kind else "none")

@@ -23,6 +23,8 @@ from swifttailor.body.rig import Rig, Weights
 from swifttailor.body.skin_regions import SkinRegion, skin_regions
 from swifttailor.data.pictures.bank import PictureBank, WornGarment
 from swifttailor.data.pictures.closer import close_up_by_lot, coarsened
+from swifttailor.data.pictures.linear_light import linear_light
+from swifttailor.data.pictures.on_white import on_white
 from swifttailor.data.pictures.panel_cells import panel_cells
 from swifttailor.data.pictures.worn_places import worn_places
 from swifttailor.data.renders.backdrops import MAKER_NAMES, random_scenery
@@ -36,7 +38,7 @@ from swifttailor.picture_reader.labels import MASK_STRIDE, PARTS, statement_labe
 from swifttailor.picture_reader.truth import TRUE
 from swifttailor.picture_reader.view import view_of
 from swifttailor.render import Camera, LineSet, Surface, to_linear
-from swifttailor.render.color import decode_srgb, encode_srgb
+from swifttailor.render.color import encode_srgb
 from swifttailor.render.view import render_seen
 
 Chance = np.random.Generator
@@ -115,6 +117,7 @@ def draw_scene(
     aside: tuple[float, float] | None = None,
     close: bool = False,
     parts: Sequence[str] = ALL_PARTS,
+    cut_out: float = 0.0,
 ) -> Scene:
     """Draws somebody who wears a garment.
 
@@ -130,6 +133,7 @@ def draw_scene(
             the picture is high there; the garment fills the picture when None.
         close: Whether one of `CLOSE_UPS` of the garment fills it instead.
         parts: Of these, see `CloseUp.part`.
+        cut_out: How likely nothing is left of what is behind, see `on_white`.
     """
     worn = [(number, wardrobe.bank[number])]
     nobody = not held_out and chance.random() < _NOBODY
@@ -184,6 +188,8 @@ def draw_scene(
     pixels, cover = _in_front(drawn, chance, size)
     if chance.random() < 0.85:
         pixels = random_effects(chance).apply(pixels)
+    if cut_out and chance.random() < cut_out:
+        pixels = on_white(pixels, seen.shares.sum(axis=2) * cover, chance)
     cells = size // MASK_STRIDE
     masks = np.zeros((cells, cells, len(PARTS)), np.uint8)
     garments = np.full(len(PARTS), -1)
@@ -323,11 +329,6 @@ def _in_front(pixels: Pixels, chance: Chance, size: int) -> tuple[Pixels, NDArra
     return pixels, cover
 
 
-def linear_light(pixels: Pixels) -> NDArray[np.float32]:
-    """(h, w, 3) linear light of sRGB pixels."""
-    return _TO_LINEAR[pixels]
-
-
 def _camera(shown: Floats, figure: Floats, view: View, chance: Chance) -> Camera:
     """Looks at a garment, at the whole figure, or at something between; cuts off a little now and then."""
     turned = {"front": chance.normal(0, 14), "back": 180 + chance.normal(0, 14)}.get(
@@ -387,6 +388,3 @@ def _hair(style: str) -> _Thing:
 def _shoes(kind: str) -> tuple[_Thing, float]:
     vertices, faces, sole = footwear(kind)
     return _Thing(vertices, faces, np.zeros(3), Rig.default().weights_at(vertices)), sole
-
-
-_TO_LINEAR = decode_srgb(np.arange(256) / 255).astype(np.float32)

@@ -1,0 +1,98 @@
+"""Who is cut out of which photographs, and read so."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from swifttailor.picture_reader.person_finder import Person
+from swifttailor.picture_reader.photographed import (
+    MOST_DESIGNED,
+    SURELY_SOMEBODY,
+    as_photograph,
+    says_no_design,
+    surely_somebody,
+)
+from swifttailor.picture_reader.reading import PartReading, PictureReading
+from swifttailor.picture_reader.seen_design import SeenDesign
+from swifttailor.programs.read_parameter import ReadParameter
+from swifttailor.render import Camera
+
+CAMERA = Camera((0.0, 100.0, 0.0), 180.0)
+ALL, CUT = (PictureReading((), CAMERA, (0, 0, side, side)) for side in (90, 45))
+
+
+class Finder:
+    """Finds somebody who is so sure; nobody where that is None."""
+
+    def __init__(self, certainty):
+        self.certainty, self.looked = certainty, []
+
+    def __call__(self):
+        return self
+
+    def find(self, pixels, *, small=True):
+        self.looked.append(small)
+        mask = np.zeros(pixels.shape[:2], np.float32)
+        mask[20:60, 30:50] = 1
+        return None if self.certainty is None else Person(self.certainty, mask)
+
+
+@pytest.fixture
+def street():
+    return np.random.default_rng(0).integers(0, 256, (90, 80, 3), np.uint8)
+
+
+@pytest.mark.parametrize("sure", [0.4, 0.9, None])
+@pytest.mark.parametrize("figures", ["none", "one", "several"])
+def test_people_are_cut_out_of_streets(street, figures, sure):
+    shown = []
+
+    def read(cut, square):
+        shown.append((cut, square))
+        return replace(CUT, figures="none")
+
+    found = as_photograph(street, replace(ALL, figures=figures), Finder(sure), read)
+    if sure is None or (figures == "none" and sure < SURELY_SOMEBODY):
+        assert found is None and not shown
+        return
+    ((cut, (left, top, side)),) = shown
+    assert (cut[20:60, 30:50] == street[20:60, 30:50]).all() and (cut[:15] == 255).all()
+    assert top < 20 and 60 < top + side and left < 30 and 50 < left + side
+    assert found.box == CUT.box and found.is_photograph
+    assert found.figures == ("several" if figures == "several" else "one")
+
+
+def test_before_a_plain_ground_people_are_read_as_they_are(street):
+    street[:, :25] = street[:15] = 255
+    finder = Finder(0.9)
+    found = as_photograph(street, ALL, finder, lambda *_: CUT)
+    assert found.box == ALL.box and found.is_photograph and not finder.looked
+    assert as_photograph(street, replace(ALL, figures="several"), finder, lambda *_: CUT).box == CUT.box
+
+
+def test_nobody_is_cut_out_without_a_finder(street):
+    assert as_photograph(street, ALL, None, lambda *_: CUT) is None
+    assert not surely_somebody(street, None)
+
+
+@pytest.mark.parametrize(("certainty", "sure"), [(None, False), (0.7, False), (0.85, True)])
+def test_somebody_sure_is_large(street, certainty, sure):
+    finder = Finder(certainty)
+    assert surely_somebody(street, finder) == sure and finder.looked == [False]
+
+
+@pytest.mark.parametrize("above", [False, True])
+def test_a_photograph_has_no_design(above):
+    parameter = ReadParameter("a", tuple("abcdefgh"))
+    certainty = MOST_DESIGNED + (0.01 if above else -0.01)
+    shares = np.full(8, (1 - certainty) / 7)
+    shares[3] = certainty
+    design = SeenDesign((parameter,), (shares,))
+    assert design.certainty == pytest.approx(certainty)
+    part = PartReading("upper", 0.9, (), (), (), np.zeros((4, 4), np.float32), design=design)
+    assert says_no_design(replace(ALL, parts=(part,))) != above
+    assert not says_no_design(ALL), "where nothing is worn nothing is told"
+    assert not says_no_design(replace(ALL, parts=(replace(part, design=None),)))
