@@ -38,6 +38,21 @@ def run(name: str, work: Path, *arguments: str, **more: str) -> subprocess.Compl
     )
 
 
+def photographed_tees(folder: Path) -> Path:
+    """Something red before white, ten garments of it."""
+    import numpy as np
+    from PIL import Image
+
+    folder.mkdir()
+    pixels = np.full((90, 60, 3), 255, np.uint8)
+    pixels[20:70, 15:45] = (200, 0, 0)
+    Image.fromarray(pixels).save(folder / "tee.png")
+    tee = {"image": "tee.png", "upper": {"kind": ["top"], "sleeves": ["short"]}}
+    lines = [json.dumps(tee | {"group": str(k)}) for k in range(10)]
+    (folder / "garments.jsonl").write_text("\n".join(lines) + "\n")
+    return folder
+
+
 @pytest.mark.needs_torch
 @pytest.mark.timeout(1800)  # some minutes on two idle cores
 def test_every_recipe_goes_from_nothing_to_a_model_file(tmp_path):
@@ -54,6 +69,10 @@ def test_every_recipe_goes_from_nothing_to_a_model_file(tmp_path):
     for name in RECIPES:
         done = run(name, work)
         assert done.returncode == 0, f"{name}\n{done.stdout}\n{done.stderr}"
+    photographs = photographed_tees(tmp_path / "photographs")
+    assert run("shop_reader", work).returncode == 2, "it needs photographs"
+    done = run("shop_reader", work, PHOTOGRAPHS=str(photographs))
+    assert done.returncode == 0, done.stderr
     files = {
         "GarmentSewer": work / "garment-sewer/garment_sewer.onnx",
         "PatternMaker": work / "pattern-maker/pattern_maker.zip",
@@ -93,6 +112,9 @@ def test_every_recipe_goes_from_nothing_to_a_model_file(tmp_path):
     ]
     laid = PictureReader.load(files["PictureReader"], laid=work / "laid-reader/laid_reader.onnx").laid()
     assert laid.card["config"]["laid"] > 0 and laid.close_ups == ()
+
+    shop = PictureReader.load(files["PictureReader"], shop=work / "shop-reader/shop_reader.onnx").shop()
+    assert shop.card["config"]["cut_out"] > 0 and shop.card["config"]["photograph"] > 0
 
     again = run("wish_reader", work)
     assert again.returncode == 0
