@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import pytest
 from draft_checks import assert_sound
+from test_cut import seam_length
 
 from swifttailor.pattern.drafts import DraftMeasurements, draft
+from swifttailor.pattern.drafts.draft_names import NamedDraft
 
 
 @pytest.mark.parametrize("opening", [0.0, 8.0])
@@ -23,3 +25,13 @@ def test_a_narrow_short_cape_opens_less():
 def test_a_neckline_ends_above_the_hem_of_a_short_cape():
     short = DraftMeasurements(waist_line=33.0)
     assert_sound(draft("cape", measurements=short, length=-20.0, neck_depth=14.0))
+
+
+def test_a_closed_cape_is_a_poncho():
+    """Sewn together in front, and of what is open in front it shows nothing."""
+    opened, closed = (draft("cape", length=20.0, front=front) for front in ("open", "closed"))
+    assert_sound(closed)
+    front, short = (seam_length(p, "left_ftorso", "right_ftorso")[0] for p in (closed, opened))
+    assert front > 40.0 > short
+    names = [NamedDraft("cape", (("front", front),)).shows for front in ("open", "closed")]
+    assert names == [("cape", "open_front"), ("cape",)]

@@ -116,6 +116,7 @@ class NamedDraft:
     @property
     def shows(self) -> tuple[str, ...]:
         """What it shows that no way to cut makes: keys of the lexicon's ``cannot.txt``."""
+        closed = self.name == "cape" and dict(self.options).get("front") == "closed"
         opens = self.name == "turtleneck" and dict(self.options).get("opening", 0.0)
         collar = _COLLARS_SHOW.get(str(dict(self.options).get("collar", "")))
         shown = DRAFTS_SHOW.get(self.name, ())
@@ -131,6 +132,7 @@ class NamedDraft:
             shown = (*shown, LOW_CROTCH)
         shown = (*shown, *([RACERBACK] if dict(self.options).get(RACER) else ()))
         shown = (*shown, *([SWEETHEART] if (NECKLINE, SWEETHEART) in self.options else ()))
+        shown = tuple([key for key in shown if not (closed and key == "open_front")])
         curves = [CURVED_HEM] if dict(self.options).get(HEM_RISE, 0.0) else []
         curves += [PUFFBALL] if dict(self.options).get(HEM_BAND, 0.0) else []
         return (*shown, *(["open_front"] if opens else ()), *(["stretch"] if stretches else ()), *curves)

@@ -1,10 +1,10 @@
-"""Capes: cloth that falls from the neck over body and arms, open in front, with or without a hood."""
+"""Capes: cloth that falls from the neck over body and arms, open in front or closed, as a poncho is."""
 
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Annotated
+from typing import Annotated, Literal
 
 from swifttailor.pattern.drafts import declared
 from swifttailor.pattern.drafts.bodice import BACK_Z, FRONT_Z, sew_centres
@@ -52,13 +52,16 @@ class CapeOptions:
             60.0,
         ),
     ] = 6.0
+    front: Annotated[
+        Literal["open", "closed"], Option("Closed is a poncho: sewn together from the neck to the hem.")
+    ] = "open"
     hood: Annotated[bool, Option("Sew a hood to the neckline.")] = False
     hood_height: declared.HoodHeight = 6.0
     hood_depth: declared.HoodDepth = 6.0
 
 
 def draft_cape(options: CapeOptions, measurements: Measurements) -> Pattern:
-    """Drafts the cape for a body: held at the neck, open below."""
+    """Drafts the cape for a body: held at the neck, open below or closed."""
     figure, table = Figure.of(measurements), CuttingTable("cape")
     neckline = Neckline("round", options.neck_widening, options.neck_depth, 2.0)
     for face in "fb":
@@ -87,7 +90,8 @@ def _half(figure: Figure, options: CapeOptions, neckline: Neckline, *, front: bo
     radius = neck[1] - hem_y
     fall = math.radians(options.spread)
     end = (neck[0] + radius * math.cos(fall), neck[1] - radius * math.sin(fall))
-    middle = (min(options.opening, _OPEN_AT_MOST * end[0]) if front else 0.0, hem_y)
+    opens = front and options.front == "open"
+    middle = (min(options.opening, _OPEN_AT_MOST * end[0]) if opens else 0.0, hem_y)
     outline = Outline(*middle)
     # Both ends of the hem leave at right angles to the seams there.
     reach = 4.0 / 3.0 * math.tan((math.pi / 2 - fall) / 4) * radius
@@ -105,7 +109,7 @@ def _half(figure: Figure, options: CapeOptions, neckline: Neckline, *, front: bo
     depth = max(min(depth, radius - _FRONT_AT_LEAST_CM), 0.5)
     draw_neckline(outline, neck, depth, figure.slope, neckline.shape)
     x, y = outline.sides[-1].end
-    if front:
+    if opens:
         closed = min(options.closed, y - hem_y - _OPEN_AT_LEAST_CM)
         outline.line("centre", x, y - closed).line("edge", *middle)
     else:
