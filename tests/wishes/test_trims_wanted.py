@@ -199,6 +199,19 @@ def test_bows_of_straps_are_none_at_the_waist():
     assert ("waist bow",) not in [wish.choices[0] for wish in tied]
 
 
+def test_a_jacket_whose_collar_stands_is_buttoned():
+    jacket = trims_wanted(heard("a jacket with a mandarin collar"), draft="turtleneck")
+    assert "buttons" in {wish.what for wish in jacket}
+    assert not trims_wanted(heard("a jumper with a mandarin collar"), draft="turtleneck")
+
+
+def test_frills_are_put_where_they_are_told_and_on_a_hem_at_last():
+    (wish,) = trims_wanted(heard("a nightgown with a frill at the neck"), kind="dress")
+    assert wish.choices[0] == ("neck frill",)
+    (wish,) = trims_wanted(heard("a ruffle crop top"), kind="top")
+    assert wish.choices[-1] == ("hem frill",)
+
+
 def test_frills_of_the_sleeves_are_put_there_alone():
     told = (Wish(Gain(Claim("cuffs", "flounce")), 1.0),)
     blouse = replace(heard("a blouse with ruffles on the sleeves"), sure=told)

@@ -72,8 +72,8 @@ _KNITS = frozenset({"jersey", "rib-knit", "sweatshirt", "fleece"})
 _SAID_ALONE = frozenset({"lace", "braid", "apron", "boning"})
 """What is put on only where the text itself asks for it, or a row of the tables has its trim."""
 _LOWER = ("trousers", "shorts")
-_COLLARLESS, _TAILORED = "cardigan", "blazer"
-"""The draft that a jacket without a collar is cut from, and the one with a collar."""
+_FOR_JACKETS, _TAILORED = frozenset({"cardigan", "turtleneck"}), "blazer"
+"""Drafts that jackets without a collar and with one that stands are cut from, and the one with lapels."""
 _DENIM = "denim"
 _FLOUNCED = Claim("cuffs", "flounce")
 """Frills of the sleeves, where no others are named."""
@@ -122,14 +122,14 @@ def trims_wanted(heard: Heard, draft: str = "", kind: str = "") -> tuple[TrimWis
             found.append(TrimWish(lack.what, lack.said, choices, bool(said)))
     if draft in _RIBBED and not any(wish.what == _RIBS for wish in found) and _is_knitted(heard, draft):
         found.append(TrimWish(_RIBS, False, (("neck rib", "armhole ribs"), ("neck rib",))))
-    if draft == _COLLARLESS and not any(wish.what == "buttons" for wish in found) and _is_a_jacket(heard):
+    if draft in _FOR_JACKETS and not any(wish.what == "buttons" for wish in found) and _is_a_jacket(heard):
         pocketed = () if any(wish.what == "pockets" for wish in found) else (("buttons", "welt pockets"),)
         found.append(TrimWish("buttons", False, (*pocketed, ("buttons",))))
     return tuple(found)
 
 
 def _is_a_jacket(heard: Heard) -> bool:
-    """Whether what has no collar is called a jacket, which is closed in front where nothing else is told."""
+    """Whether what has no lapels is called a jacket, which is closed in front where nothing else is told."""
     marks = () if heard.words is None else heard.words.marks
     named = [entry for mark in marks if not mark.denied for entry in mark.entries]
     lacks = {lack.what for lack in heard.lacks if lack.said}
@@ -232,7 +232,7 @@ def _usual(what: str, kind: str, cloth: str | None, draft: str) -> tuple[tuple[s
         return (
             (("hem frill",),)
             if kind in ("skirt", "dress")
-            else (("neck frill", "sleeve frills"), ("neck frill",))
+            else (("neck frill", "sleeve frills"), ("neck frill",), ("hem frill",))
         )
     if what == "drawstring":
         return (("neck cord",),) if draft in _HOODED else (("drawstring",), ("neck cord",))
