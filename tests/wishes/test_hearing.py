@@ -550,6 +550,18 @@ def test_slippers_alone_ask_for_no_garment(reader: WishReader) -> None:
     assert asks_for_none(heard, heard.text)
 
 
+def test_a_greeting_asks_for_no_garment(reader: WishReader) -> None:
+    for text in ("hello", "hi there, please"):
+        assert asks_for_none(hear_description(text, reader), text)
+    assert not asks_for_none(hear_description("hello, a dress please", reader), "hello, a dress please")
+
+
+def test_of_a_high_neck_that_plunges_one_is_begun_from_and_both_are_named(reader: WishReader) -> None:
+    heard = hear_description("a high neck plunging blouse", reader)
+    assert heard.contradictions == (("high neck", "plunging"),)
+    assert not any(draft.name == "turtleneck" for draft in heard.drafts)
+
+
 def test_the_one_dress_that_is_named_stays_one(reader: WishReader) -> None:
     heard = hear_description(
         "lolita jsk, bow at the waist, skirt as poofy as it gets, pink w strawberries", reader

@@ -78,6 +78,13 @@ def test_a_name_that_the_network_does_not_know_is_left_to_the_lexicon():
     assert set(found) == {SHORTS, LONG}, "nothing is taken away, and shorts have no neckline"
 
 
+def test_a_kind_that_is_refused_is_not_taken_from_it():
+    """Of "anything but shorts" it reads shorts."""
+    whole = {SHORTS: 1.0}
+    assert together([DRESS], whole, never=[SHORTS.claim]) == [DRESS]
+    assert together([DRESS], whole) == [SHORTS]
+
+
 def test_what_is_refused_or_cannot_be_had_is_not_taken_from_it():
     assert together([DRESS], {DRESS: 1.0, V_NECK: 1.0}, never=[V_NECK.claim]) == [DRESS]
     assert together([SHORTS], {SHORTS: 1.0, SLIT: 1.0, V_NECK: 1.0}) == [SHORTS]

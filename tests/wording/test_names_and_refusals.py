@@ -23,6 +23,9 @@ def test_a_mini_skirt_that_is_not_too_short_is_still_a_mini_skirt():
         ("hooded fleece poncho", Claim("hood", "hood")),
         ("Princess Peach dress", Claim("sleeve_shape", "puffed")),
         ("wrapover overall", Claim("kind", "dress")),
+        ("ninja suit", Claim("hood", "hood")),
+        ("gorilla suit", Claim("kind", "jumpsuit")),
+        ("a dress, no bare arms", Claim("sleeves", "long")),
         ("servant's bedgown", Claim("kind", "dress")),
         ("a blouse with huge sleeves", Claim("sleeve_shape", "balloon")),
         ("a top with sleeves below the elbows", Claim("sleeves", "three-quarter")),
@@ -38,6 +41,9 @@ def test_names_mean_what_people_picture(text, claim):
         ("a dress, sleeves yes, frills no", {"frills"}),
         ("dress. pockets no. collar no", {"pockets", "collar"}),
         ("a dress, sleeves no", {"sleeves"}),
+        ("a dress off the telly", set()),
+        ("that dress off wuzzle", set()),
+        ("a dress with the sleeves off", {"sleeves"}),
     ],
 )
 def test_what_is_answered_with_a_no_is_refused(text, denied):

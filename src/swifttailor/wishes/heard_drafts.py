@@ -97,7 +97,7 @@ def _entries(heard: Heard) -> list[Entry]:
     told = _told_claims(heard)
     if len(told) < len(heard.sure) or not covers(heard.kind, told):  # known patterns have more
         entries = [e for e in entries if _told_beside(heard, e) <= _most_told(e)]
-    beside = _worn_beside(heard)
+    beside = (*_worn_beside(heard), *_outdone(heard))
     return [e for e in entries if e not in beside]
 
 
@@ -141,7 +141,8 @@ def _told_beside(heard: Heard, entry: Entry) -> int:
 
 def _standing_necks(heard: Heard) -> list[Claim]:
     """A collar that stands, where a word about the neck begins from such a draft: "a high neck"."""
-    stands = [e for e in heard.meant if e.category == "styles" and e.drafts]
+    outdone = _outdone(heard)
+    stands = [e for e in heard.meant if e.category == "styles" and e.drafts and e not in outdone]
     return [_STAND] if any(draft.name == _TURTLENECK for e in stands for draft in e.drafts) else []
 
 
@@ -195,6 +196,16 @@ def _worn_beside(heard: Heard) -> list[Entry]:
     if not any(mark.role == "garment" for mark in marks):
         return []
     return [entry for mark in marks if mark.role == "like" for entry in mark.entries if entry.kinds]
+
+
+def _outdone(heard: Heard) -> list[Entry]:
+    """Of words that contradict each other the entries of which nothing is left: a high neck that plunges."""
+    words = heard.words
+    if words is None:
+        return []
+    opposed = [mark for pair in words.contradictions for mark in (pair.first, pair.second)]
+    kept = {i.mark.start for i in words.implications}
+    return [entry for mark in opposed if mark.start not in kept for entry in mark.entries]
 
 
 def _with_one_collar(named: list[NamedDraft]) -> list[NamedDraft]:

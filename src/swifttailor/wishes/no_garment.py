@@ -10,6 +10,7 @@ _NOT_MADE = "accessories"
 _GO_WITH = frozenset("something anything outfit look wear wearing with match matching goes go".split())
 """Words of who has such a thing already, and wants a garment beside it."""
 _TELL_NO_GARMENT = frozenset({"function", "colors", "prints", "fabrics", "sizes", "occasions", "polite"})
+_POLITE = "polite"
 _NO_GARMENT = (
     'No garment is asked for in "{text}". What can be made are tops, dresses, skirts, trousers and garments '
     "in one piece: name one{near}."
@@ -39,6 +40,10 @@ def asks_for_none(heard: Heard, text: str) -> str:
         return ""
     told = bool(words.colors or words.cloths or heard.print or heard.cannot)
     known = [mark for mark in words.marks if _category(mark) not in (None, "function")]
+    polite = {_category(mark) for mark in words.marks}
+    if _POLITE in polite <= {_POLITE, "function"} and not (told or heard.sure):
+        # A network guesses of "hello", too.
+        return _NO_GARMENT.format(text=quoted, near=_LIKE)
     guessed = bool(heard.sure or heard.likely)
     if not (told or known or guessed):
         near = f". Names that are spelt alike: {', '.join(heard.near)}" if heard.near else _LIKE

@@ -56,7 +56,7 @@ def described_as_a_whole(
         subjects: Names of the claims that its details are about, where it is so short that all its words are
             known for what they say: the network adds no more than what is likely. None where it is not.
     """
-    found = _of_its_kind(found, whole, stated)
+    found = _of_its_kind(found, whole, stated, never)
     kinds = [w.change for w in found if _is_kind(w.change)]
     known = not kinds or whole.get(kinds[0], 0.0) >= LIKELY
 
@@ -129,12 +129,19 @@ def _fits(claim: Claim, kept: Sequence[Wish]) -> bool:
 
 
 def _of_its_kind(
-    found: Sequence[Wish], whole: Mapping[Change, float], stated: Collection[Change]
+    found: Sequence[Wish],
+    whole: Mapping[Change, float],
+    stated: Collection[Change],
+    never: Collection[Claim],
 ) -> list[Wish]:
-    """Wishes with the kind of garment that the network is all but certain of in place of another."""
+    """Wishes with the kind of garment that the network is all but certain of in place of another.
+
+    It takes no note of refusals: of "anything but trousers" it reads trousers.
+    """
     if any(_is_kind(w.change) and w.change in stated for w in found):
         return list(found)
-    sure = [(change, chance) for change, chance in whole.items() if chance >= SURE_OF_KIND]
+    refused = {Gain(claim) for claim in never}
+    sure = [(c, chance) for c, chance in whole.items() if chance >= SURE_OF_KIND and c not in refused]
     kind, _ = max(((c, p) for c, p in sure if _is_kind(c)), key=lambda both: both[1], default=(None, 0.0))
     if kind is None:
         return list(found)

@@ -53,7 +53,7 @@ def denied_words(words: Sequence[Meaning], language: Language = "en") -> frozens
             _deny_after(words, k, found, joints)
         else:
             before = _named_before(words, k)
-            if before is not None:
+            if before is not None and not _came_from(words, before, k):
                 found.add(before)
     return frozenset(found)
 
@@ -74,6 +74,12 @@ def _named_before(words: Sequence[Meaning], k: int) -> int | None:
         if not words[j].holds_together:
             return j
     return None
+
+
+def _came_from(words: Sequence[Meaning], named: int, k: int) -> bool:
+    """Whether "off" tells where a garment was seen: "that dress off the telly"; parts alone are taken off."""
+    goes_on = k + 1 < len(words) and words[k].found.gap == "space"
+    return words[k].found.word == "off" and goes_on and words[named].category in ("garments", "generic")
 
 
 def _deny_after(words: Sequence[Meaning], k: int, found: set[int], joints: _Joints) -> None:

@@ -28,6 +28,8 @@ _ORDER: tuple[Certainty, ...] = ("certain", "usual", "likely")
 _NAMES: tuple[Role, ...] = ("garment", "like", "second")
 
 
+_TOLD_BY: Mapping[bool, tuple[Certainty, ...]] = {True: ("certain", "usual"), False: ("certain",)}
+"""How sure what words about details, and what names of garments mean must be to contradict other words."""
 _TOPS = frozenset(["top", "tunic"])
 _LOWER = {"skirt": "skirt", "trousers": "legs", "shorts": "legs"}
 """Kinds without an upper part, and what they have."""
@@ -360,12 +362,18 @@ def _lacks(marks: Sequence[WordMark]) -> tuple[Lack, ...]:
 
 
 def _contradictions(text: str, implied: Sequence[Implication]) -> tuple[Contradiction, ...]:
-    """Pairs of words that say opposite things, both by definition and of one place."""
-    sure = [i for i in implied if i.certainty == "certain" and i.claim.name != "kind"]
+    """Pairs of words that say opposite things, by definition and of one place.
+
+    What a detail usually is counts where the tables hold it against the other: a high neck that plunges.
+    """
+    sure = [i for i in implied if i.certainty in _TOLD_BY[i.said] and i.claim.name != "kind"]
     found: dict[tuple[int, int], Contradiction] = {}
     for k, one in enumerate(sure):
         for other in sure[k + 1 :]:
-            if one.mark is other.mark or not (opposed(one.claim, other.claim) or _against(one, other)):
+            certain = one.certainty == other.certainty == "certain"
+            if one.mark is other.mark or not (
+                _against(one, other) or (certain and opposed(one.claim, other.claim))
+            ):
                 continue
             if _only_usual(one, other) or _only_usual(other, one):
                 continue
