@@ -16,6 +16,7 @@ from swifttailor.wishes.wearer_words import hear_wearer
         "a dress for my daughter's wedding",
         "mother of the groom, my son gets married in June",
         "girls night out top",
+        "dresses for the girls in our tearoom",
         "boy shorts",
         "the gown that the girl in the film wears",
         "a petite floral print dress",
@@ -35,6 +36,9 @@ def test_others_and_other_things_have_no_size_of_the_wearer(text):
     [
         "a dress for my daughter",
         "boys shirt",
+        "a dress for the girls, aged 8",
+        "a shirt for my husband who is rather large round the middle",
+        "a shirt for a man with a bit of a paunch",
         "my son wants a hoodie",
         "petite dress",
         "a top in XL",

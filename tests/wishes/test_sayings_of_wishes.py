@@ -160,6 +160,24 @@ def test_amounts_of_cloth_and_pieces_are_no_measures(text):
 
 
 @pytest.mark.parametrize(
+    ("text", "plain"),
+    [
+        ("shirt with the neck of Chinese", "shirt with the mandarin collar"),
+        ("a dress with sleeves of butterfly", "a dress with butterfly sleeves"),
+        ("a top with collar of polo", "a top with polo collar"),
+        ("a shirt, collar of the polo shirt", "a shirt, collar of the polo shirt"),
+        ("pullover with neck who falls down", "pullover with cowl collar"),
+        ("trousers with rubber in waist", "trousers with elastic waist"),
+        ("joggers with elastic at the ankles", "joggers with elastic cuffs"),
+        ("nightgown, frill at the neck and wrists", "nightgown, frill at the neck and frilled cuffs"),
+        ("a skirt with ruffles along the hem", "a skirt with frill hem"),
+    ],
+)
+def test_details_that_are_told_by_their_place_or_word_by_word_are_put_plainly(text, plain):
+    assert plainly_wished(text) == plain
+
+
+@pytest.mark.parametrize(
     ("text", "never"),
     [
         ("leggings that don't reach the ankle", "leg_hem=ankle"),
@@ -183,6 +201,11 @@ def test_a_network_adds_nothing_that_words_speak_against(reader, text, never):
         ("slouchy off one shoulder sweater dress", "slouchy wide neckline sweater dress"),
         ("an evening dress, off one shoulder", "an evening dress, off one shoulder"),
         ("collar that rises behind the head", "high standing collar"),
+        ("that dress i saw on tiktok", "that dress "),
+        ("a dress in a small green and white check", "a dress in a green and white small check"),
+        ("an apron for the girls in the shop", "an apron in the shop"),
+        ("a dress for the girls, they are 8 years old", "a dress for the girls, they are 8 years old"),
+        ("we run a small tearoom", "tearoom"),
     ],
 )
 def test_what_is_answered_or_likened_is_put_plainly(text, plain):

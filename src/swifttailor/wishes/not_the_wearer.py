@@ -16,6 +16,10 @@ _DETAILS = (
     r"collars?|sleeves?|flowers?|floral|prints?|bows?|ruffles?|frills?|pockets?|buttons?|hems?|seams?|neck(?:line)?s?"
     r"|lines?|hoods?|cuffs?|straps?|dots?|spots?|checks?|stripes?|patterns?|details?|shapes?|edges?|waistbands?"
 )
+_YOUNG = (
+    r"(?<!\w)(?:\d{1,2}(?! ?cm)|aged?|ages|years?|yrs?|twins?|kids?|child\w*|little|toddlers?|class"
+    r"|pupils?)(?!\w)"
+)
 _HIDDEN = tuple(
     [
         re.compile(pattern, re.IGNORECASE)
@@ -28,6 +32,8 @@ _HIDDEN = tuple(
             r" ?(?:girls?|boys?)(?='?s?(?!\w))(?! (?:aged?|of|size))",
             r"(?<![\w-])(?:baby|toddler|child|kid|infant)s? (?:on|at|in|under|strapped to) (?:my|her|the)"
             r" (?:hips?|arms?|back|chest|lap|shoulders?|breast)(?!\w)",
+            # Who is spoken of so, and not as one's own or by an age, is grown: colleagues, a band, friends.
+            rf"(?<![\w-])(?:the|all the) (?:girls|boys|lads)(?!\w)(?![^.;]*?{_YOUNG})",
             r"(?<![\w-])(?:land|factory|shop|call|dream|cover|career|party|city) ?girls?(?!\w)",
             r"(?<!\w)(?:une?|la|le|ma|mon|cette|ce) petite?(?!\w)",
             rf"(?<![\w-])(?:the|that|this) {_OTHERS}s? (?:in|from|on|of|with)(?!\w)",
