@@ -39,6 +39,7 @@ from swifttailor.wishes.own_words import in_own_words
 from swifttailor.wishes.reader import Wish
 from swifttailor.wishes.unsaid_looks import unexpected_looks
 from swifttailor.wishes.usual_measures import usual_measures, usual_necks
+from swifttailor.wording.lexicon import SURENESS
 
 _UNSAID = (Claim("hem_shape", "level"), Claim("sides", "alike"))
 _NO_SLIT = Claim("slit", "none")
@@ -48,6 +49,7 @@ _UNSAID_OF = {
     "trousers": (Claim("leg_cuffs", "none"),),
 }
 """The same by kind of garment."""
+_MERE_COLLAR = Gain(Claim("collar", "lapel"))
 _USUAL, _UNEXPECTED = 0.8, 0.35
 """Known patterns are preferred for what is usual where nobody speaks of it, and left for what is not."""
 _PERHAPS = 0.6
@@ -119,7 +121,7 @@ class Wanted:
         shown = {Gain(Claim(name, value)) for name, value in draft.is_to_the_eye}
         near = shown | {Gain(Claim(name, value)) for name, value in draft.has_in_spirit}
         wishes = tuple([w for w in self.wishes if w.change not in shown])
-        likely = tuple([w for w in self.likely if w.change not in near])
+        likely = tuple([w for w in self.likely if w.change not in near and not _is_mere_collar(w)])
         heard = self.heard.made_as(draft)
         return replace(self, wishes=wishes, likely=likely, heard=heard, shown=frozenset(shown))
 
@@ -284,3 +286,11 @@ def facts_of(pattern: Pattern) -> GarmentFacts | None:
         return measure_facts(pattern)
     except SwiftTailorError:
         return None
+
+
+def _is_mere_collar(wish: Wish) -> bool:
+    """Whether it is no more than the collar that such garments often have, as blouses do.
+
+    Drafts for them have it; sewn to another it stands off.
+    """
+    return wish.change == _MERE_COLLAR and wish.certainty <= SURENESS["likely"]
