@@ -562,6 +562,18 @@ def test_of_a_high_neck_that_plunges_one_is_begun_from_and_both_are_named(reader
     assert not any(draft.name == "turtleneck" for draft in heard.drafts)
 
 
+def test_a_collar_stands_on_a_gown_that_its_name_makes_strapless(reader: WishReader) -> None:
+    first = hear_description("high neck bridal gown with cap sleeves and a full skirt", reader).drafts[0]
+    assert first.name == "shirt-dress" and dict(first.options)["collar"] == "standing"
+    assert dict(first.options)["skirt_fraction"] == 1.0
+
+
+def test_cables_are_named_as_what_is_not_knitted(reader: WishReader) -> None:
+    for text in ("a chunky cable knit jumper", "a dress in cable knit"):
+        assert "cables" in {lack.what for lack in hear_description(text, reader).lacks}
+    assert "cables" not in {lack.what for lack in hear_description("a ribbed jumper", reader).lacks}
+
+
 def test_the_one_dress_that_is_named_stays_one(reader: WishReader) -> None:
     heard = hear_description(
         "lolita jsk, bow at the waist, skirt as poofy as it gets, pink w strawberries", reader

@@ -23,6 +23,8 @@ def test_a_mini_skirt_that_is_not_too_short_is_still_a_mini_skirt():
         ("hooded fleece poncho", Claim("hood", "hood")),
         ("Princess Peach dress", Claim("sleeve_shape", "puffed")),
         ("wrapover overall", Claim("kind", "dress")),
+        ("cowl neck jumper", Claim("collar", "turtleneck")),
+        ("a pretty top", Claim("sleeve_shape", "puffed")),
         ("ninja suit", Claim("hood", "hood")),
         ("gorilla suit", Claim("kind", "jumpsuit")),
         ("a dress, no bare arms", Claim("sleeves", "long")),
