@@ -57,6 +57,11 @@ SLITS = [Claim("slit", "left"), Claim("slit", "right")]
             [Claim("hood", "hood")],
             "shirt-dress(skirt_length=50;collar=hood;cuffs=false;sleeves=false)",
         ),
+        (
+            "skater-dress(skirt_length=50)",
+            [STAND],
+            "shirt-dress(sleeves=false;cuffs=false;skirt_length=50;collar=standing)",
+        ),
         ("shirt", [Claim("neckline", "v")], None),
         ("bustier", [Claim("shoulders", "both"), Claim("sleeves", "none")], "fitted-top"),
         (

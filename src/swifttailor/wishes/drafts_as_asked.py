@@ -142,7 +142,7 @@ def draft_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft | N
         draft = NamedDraft("fitted-dress", (("skirt_length", _SLIT_SKIRT_CM),))  # where a slit is seen
     draft = held_as_asked(_hanging_loose(close_as_asked(draft, claims), claims), claims)
     draft = on_straps_that_hold(bared_as_asked(draft, claims))
-    draft = sleeves_as_asked(draft, claims)
+    draft = _standing(sleeves_as_asked(draft, claims), claims)  # what was strapless has a neck now
     if draft.name in _ON_SHOULDERS and _THIN_STRAPS in claims:
         return None
     if _BARE in claims and draft.name not in BARE_SHOULDERED:
@@ -231,6 +231,7 @@ _COLLARLESS = NamedDraft.parse(
 _FITTED = frozenset({Claim("fit", "close"), Claim("bodice", "darted")})
 _LONG_KNITTED = (("sleeve_length", 58.0), ("sleeve_end", 23.0))
 _MAY_STAND = ("drop-waist-dress", "jumpsuit", "shift-dress", "swing-dress", "fitted-dress")
+_OF_SHIRT_DRESSES = "skirt_length skirt_fraction gathers bust_ease waist_ease sleeve_shape sleeves".split()
 _ROLL_CM, _FUNNEL_CM = 9.0, 7.0
 
 
@@ -240,7 +241,10 @@ def _standing(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     if "collar" in options or not _stands(claims):
         return draft
     rolled = _ROLLED in claims
-    if draft.name in _MAY_STAND:
+    if draft.name == "skater-dress" and (rolled or _STAND in claims):  # its bodice bears none
+        kept = {name: options[name] for name in (*_OF_SHIRT_DRESSES, *_OF_SLEEVES) if name in options}
+        draft, options = NamedDraft("shirt-dress"), {"sleeves": False, "cuffs": False, **kept}
+    if draft.name in (*_MAY_STAND, "shirt-dress"):
         more = {ROLLED[0]: ROLLED[1], "collar_height": _ROLL_CM} if rolled else dict([STANDING])
     elif draft.name == "coat":
         more = {"standing": True, "collar_height": _FUNNEL_CM if rolled else _STANDS_CM}
