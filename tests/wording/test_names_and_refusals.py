@@ -50,3 +50,21 @@ def test_names_mean_what_people_picture(text, claim):
 )
 def test_what_is_answered_with_a_no_is_refused(text, denied):
     assert {mark.word for mark in read_words(text).marks if mark.denied} == denied
+
+
+@pytest.mark.parametrize(
+    ("text", "oversized"),
+    [
+        ("a jumper with a big roll neck", False),
+        ("a coat with huge patch pockets", False),
+        ("a dress with a big bow at the waist", False),
+        ("a top with a giant frill at the neck", False),
+        ("a big jumper with a roll neck", True),
+        ("a big quilted coat", True),
+    ],
+)
+def test_what_is_put_on_may_be_big_on_a_garment_that_is_not(text, oversized):
+    reading = read_words(text)
+    assert (reading.certainty(Claim("fit", "oversized")) is not None) == oversized
+    astray = [mark.word for mark in reading.marks if mark.role == "astray"]
+    assert bool(astray) != oversized, "and is named as not understood"

@@ -156,6 +156,8 @@ _LITTLE = frozenset(
     {"hood", "slit", "collar", "cuffs", "leg_cuffs", "waistband", "hem_band", "straps", "tiers"}
 )
 """Parts that may be of any size on a garment of any size."""
+_BIG = frozenset("big huge giant enormous massive gigantic ginormous oversized oversize".split())
+_AT_NECKS = frozenset({"collar", "neckline", "hood"})
 
 
 def _kinds(chosen: Sequence[tuple[Sense, ...]], garments: Sequence[int], kind: str | None) -> frozenset[str]:
@@ -281,7 +283,20 @@ def _is_of_little(words: Sequence[Meaning], k: int) -> bool:
     """Whether a part follows at once whose size says nothing of the garment: "a huge slit", "a big hood"."""
     if k + 1 >= len(words) or words[k].found.gap not in ("space", "hyphen"):
         return False
+    if words[k].found.word in _BIG and _is_put_on(words, k + 1):
+        return True
     return words[k + 1].is_noun and words[k + 1].part in _LITTLE and words[k + 1].category == "parts"
+
+
+def _is_put_on(words: Sequence[Meaning], k: int) -> bool:
+    """Whether a word names, and ends its phrase with, what is put on a garment: a roll neck, patch pockets."""
+    word = words[k]
+    ends = k + 1 == len(words) or word.found.gap in ("pause", "stop") or words[k + 1].category == "function"
+    if word.category != "styles" or not ends or word.found.word.endswith(("ed", "y")):
+        return False
+    collared = any(claim.name == "collar" for entry in word.entries for claim in entry.claims("certain"))
+    trimmed = any(entry.cannot and not entry.implied for entry in word.entries)
+    return collared or trimmed or word.part in _AT_NECKS
 
 
 def _names(word: Meaning) -> frozenset[str]:
