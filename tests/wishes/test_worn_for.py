@@ -52,6 +52,18 @@ def test_what_contradicts_a_detail_is_not_suggested(reader):
     assert hear_description("a party outfit with wide legs", reader).kind == "trousers"
 
 
+@pytest.mark.parametrize(
+    ("text", "kind"),
+    [
+        ("no skirts please, something for a wedding", "jumpsuit"),
+        ("anything but a dress, for a ball", "jumpsuit"),
+        ("anything but trousers. for a job interview", "top"),
+    ],
+)
+def test_what_is_refused_is_not_suggested(reader, text, kind):
+    assert hear_description(text, reader).kind == kind
+
+
 def test_a_picture_shows_which_garment_is_meant(reader):
     assert hear_description("something for the beach", reader, alone=False).guess == ""
 

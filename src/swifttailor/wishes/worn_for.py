@@ -18,6 +18,8 @@ _PERSONS = "persons.txt"
 _OF_LOWER = frozenset(
     {"rise", "waistband", "waistband_cm", "skirt", "skirt_length_cm", "legs", "inseam_cm", "hips"}
 )
+_INSTEAD = ("dress", "jumpsuit", "top")
+"""What suits most occasions, where what is usual for one is refused."""
 _DETAILS = 2
 """So many different things have to be said before they tell what a garment is."""
 _SHORTEST_DRESS_CM = 75.0
@@ -59,12 +61,21 @@ def _worn_for(heard: Heard) -> str | None:
     named = () if heard.words is None else [i.claim for i in heard.words.implications]
     details = [w.change.claim for w in heard.sure if isinstance(w.change, Gain)]
     details = [claim for claim in details if claim.name != "kind" or claim in named]  # a network guesses
+    refused = _refused_kinds(heard)
     for entry in sorted(entries, key=_order):
         assert entry.worn is not None
         kinds = [str(i.claim.value) for i in read_words(entry.worn).implications if i.claim.name == "kind"]
+        if refused.intersection(kinds):
+            return next((other for other in _INSTEAD if other not in refused), None)
         if all(_may_have(kind, claim.name, claim.value) for kind in kinds for claim in details):
             return entry.worn
     return None
+
+
+def _refused_kinds(heard: Heard) -> frozenset[str]:
+    """Kinds that are not wanted; who wants no skirts wants no dresses."""
+    refused = {str(claim.value) for claim in heard.never if claim.name == "kind"}
+    return frozenset(refused | ({"dress"} if "skirt" in refused else set()))
 
 
 def _is_likely_a_dress(heard: Heard) -> bool:

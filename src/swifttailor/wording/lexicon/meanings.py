@@ -289,7 +289,7 @@ def _is_of_little(words: Sequence[Meaning], k: int) -> bool:
 
 
 def _is_put_on(words: Sequence[Meaning], k: int) -> bool:
-    """Whether a word names, and ends its phrase with, what is put on a garment: a roll neck, patch pockets."""
+    """Whether a word names what is put on a garment, and ends its phrase: a roll neck, patch pockets."""
     word = words[k]
     ends = k + 1 == len(words) or word.found.gap in ("pause", "stop") or words[k + 1].category == "function"
     if word.category != "styles" or not ends or word.found.word.endswith(("ed", "y")):
