@@ -269,6 +269,13 @@ def test_a_belt_slips_to_where_the_sewn_cloth_is_narrowest():
     assert band[:, 1].mean() - lower[:, 1].mean() == pytest.approx(6.0, abs=2.0)
 
 
+@pytest.mark.parametrize("name", ["robe", "kaftan"])
+def test_a_belt_stays_at_the_waist_of_cloth_that_only_widens_downwards(name):
+    garment = with_trims(worn(name), "tie belt")
+    (belt,) = (t for t in place_trims(garment.pattern) if isinstance(t, Belt))
+    assert trim_meshes(garment)[0].vertices[:, 1].mean() == pytest.approx(belt.height)
+
+
 def test_stirrups_run_from_the_ends_of_the_legs_under_the_feet():
     garment = with_trims(worn("jeans"), "stirrups")
     straps = trim_meshes(garment)

@@ -33,6 +33,8 @@ _BUTTON_LIFT, _BUTTON_HEIGHT = 0.34, 0.22
 _BELT_LIFT, _BELT_SIDES, _BELT_REACH = 0.5, 96, 2.5
 _KEEPS_TO = 0.002
 """By how much narrower, per cm, the cloth must be elsewhere for a belt to slip there."""
+_WAISTED = 0.97
+"""Cloth whose girth at its narrowest is less than this part of what is above and below has a waist."""
 _TAIL, _KNOT = 26.0, 2.2
 _NO_AREA = 1e-5
 """Triangles of less than half of this are left out, cm²."""
@@ -197,16 +199,21 @@ def _belt(garment: Garment, belt: Belt) -> list[TrimMesh]:
 
 
 def _waist(garment: Garment, belt: Belt) -> float:
-    """The height at which the cloth is narrowest near to where the belt is to be, cm."""
-    best, least = belt.height, np.inf
+    """The height at which the cloth is narrowest near to where the belt is to be, cm.
+
+    Cloth that narrows to no waist, as that of robes, is tied where the belt is to be.
+    """
+    girths: dict[float, float] = {}
     for off in np.arange(-belt.reach, belt.reach + 0.1, 1.0):
         ring = _around(garment, belt.height + off)
-        if ring is None:
-            continue
-        girth = np.linalg.norm(np.roll(ring, -1, axis=0) - ring, axis=1).sum() * (1 + _KEEPS_TO * abs(off))
-        if girth < least:
-            best, least = belt.height + float(off), girth
-    return best
+        if ring is not None:
+            girths[float(off)] = float(np.linalg.norm(np.roll(ring, -1, axis=0) - ring, axis=1).sum())
+    if len(girths) < 2:
+        return belt.height
+    around = list(girths.values())
+    if min(around) > _WAISTED * min(around[0], around[-1]):
+        return belt.height
+    return belt.height + min(girths, key=lambda off: girths[off] * (1 + _KEEPS_TO * abs(off)))
 
 
 def _buckle(belt: Belt, front: Array) -> TrimMesh:
