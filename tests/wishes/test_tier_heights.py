@@ -47,3 +47,19 @@ def test_the_skirt_is_cut_so():
     pattern = draft("tiered-skirt", length=74.0, first=30.0)
     heights = [np.ptp(pattern.panel(f"skirt_front{n}").vertices[:, 1]) for n in ("", "_0", "_1")]
     assert heights == pytest.approx([30.0, 20.0, 20.0], abs=0.1)
+
+
+@pytest.mark.parametrize(
+    ("text", "length"),
+    [
+        ("three-tier skirt, 25 cm a tier", 79.0),
+        ("a skirt in three tiers, each tier 20 cm", 64.0),
+        ("three tiers of 10 inches", 80.2),
+        ("tiers 30 cm deep each", 94.0),
+        ("three tiers, 25 cm", None),
+    ],
+)
+def test_tiers_of_a_told_height_make_the_length(text, length):
+    tiered = tier_as_said(NamedDraft.parse("tiered-skirt(tiers=3)"), text)
+    assert dict(tiered.options).get("length") == length
+    assert (unread_numbers(text, ()) == ()) == (length is not None)

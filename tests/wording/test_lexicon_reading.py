@@ -376,3 +376,44 @@ def test_a_prom_dress_that_is_not_low_cut_has_shoulders() -> None:
 def test_the_words_of_a_text_are_found_once_however_often_it_is_read():
     text = "ein Kleid mit langen Ärmeln"
     assert find_words(text) is find_words(text)
+
+
+@pytest.mark.parametrize(
+    ("text", "color", "together"),
+    [
+        ("cropped white jeans", "white", {"leg_hem=calf", "legs=straight"}),
+        ("a wrap dark green dress", "dark green", {"neckline=v"}),
+        ("vestido rojo de flamenca", "rojo", {"skirt=fitted base"}),
+        ("falda negra de tubo", "negra", {"skirt=pencil"}),
+        ("robe rouge de mariée", "rouge", {"skirt_hem=floor"}),
+        ("abito nero da sera", "nero", {"skirt_hem=floor"}),
+    ],
+)
+def test_a_colour_within_a_name_leaves_it_whole(text, color, together):
+    assert together <= said(text)
+    assert [each.words for each in read_words(text).colors] == [color]
+
+
+def test_a_colour_behind_a_pause_joins_no_name():
+    assert [mark.word for mark in read_words("cropped, white jeans").marks] == ["cropped", "white", "jeans"]
+    assert "skirt=fitted base" not in said("vestido rojo con flamenca")
+
+
+@pytest.mark.parametrize(
+    ("text", "claims"),
+    [
+        ("a tunic, slit at both sides", {"slit=left", "slit=right"}),
+        ("a y2k mini skirt", {"rise=low", "skirt_hem=mini"}),
+        ("pj shorts", {"kind=shorts", "leg_hem=thigh"}),
+        ("a housecoat", {"collar=lapel", "waist_seam=natural"}),
+        ("capri shorts", {"leg_hem=calf", "legs=slim"}),
+        ("a dress, tight on top", {"fit=close", "waist_seam=natural"}),
+        ("a skatery dress", {"skirt=flared"}),
+    ],
+)
+def test_words_of_wishes(text, claims):
+    assert claims <= said(text)
+
+
+def test_a_straight_neckline_says_nothing_of_the_skirt():
+    assert not {"skirt=straight", "fit=easy"} & said("mermaid gown, straight neckline")

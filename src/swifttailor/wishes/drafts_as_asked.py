@@ -67,6 +67,7 @@ _V_NECKED = (
     "empire-dress",
 )
 _V_WIDENING_CM, _V_DEPTH_CM = 1.0, 16.0
+_OF_TANKS = ("length", "chest_ease", "neck_depth", SIDE_SLITS)
 _SLEEVELESS = {"strap_width": 8.0, "neck_widening": 2.0, "neck_depth": 10.0, "back_neck_depth": 3.0}
 _SWEATSHIRT = "sweatshirt"
 _FLAT = ("collar", "folded")
@@ -80,7 +81,7 @@ _PIECES: Mapping[str, tuple[str, int, int]] = {
 }
 """Option and claim of a number of pieces, and how few and many can be drafted."""
 _SLITS = (Claim("slit", "left"), Claim("slit", "right"))
-_SLIT_AT_THE_SIDES = ("t-shirt", "turtleneck", "shift-dress", "hooded-coat")
+_SLIT_AT_THE_SIDES = ("t-shirt", "tank-top", "turtleneck", "shift-dress", "hooded-coat")
 _SLIT_CM, _HIGH_SLIT_CM = 14.0, 30.0
 _HIGH_SLIT = Claim("slit_size", "high")
 _SLIT_SKIRT_CM = 72.0
@@ -204,7 +205,9 @@ def _cropped(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
 
 def _darted(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     """A plain top that is to be close, with darts, is a fitted one, which ends at the waist."""
-    long = any(claim.name in ("top_hem", "length_cm", "collar", "hood") for claim in claims)
+    long = any(
+        claim.name in ("top_hem", "length_cm", "collar", "hood") and claim != _AT_WAIST for claim in claims
+    )
     if draft.name != "t-shirt" or long or not _FITTED <= frozenset(claims):
         return draft
     return NamedDraft("fitted-top", ())
@@ -228,6 +231,7 @@ _OF_BANDED = ("length", "chest_ease", "shoulder_extension", "sleeve_length", "ar
 _COLLARLESS = NamedDraft.parse(
     "cardigan(length=21;chest_ease=11;neck_depth=16;opening=0;sleeve_end=27;closed_to=8)"
 )
+_AT_WAIST = Claim("top_hem", "waist")
 _FITTED = frozenset({Claim("fit", "close"), Claim("bodice", "darted")})
 _LONG_KNITTED = (("sleeve_length", 58.0), ("sleeve_end", 23.0))
 _MAY_STAND = ("drop-waist-dress", "jumpsuit", "shift-dress", "swing-dress", "fitted-dress")
@@ -340,7 +344,7 @@ def _without_sleeves(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     """T-shirts lose their sleeves; halter dresses with a slit have skirts in which it is seen."""
     options = dict(draft.options)
     if draft.name == "t-shirt" and Claim("sleeves", "none") in claims:
-        kept = {name: options[name] for name in ("length", "chest_ease", "neck_depth") if name in options}
+        kept = {name: options[name] for name in _OF_TANKS if name in options}
         return NamedDraft("tank-top", tuple({**_SLEEVELESS, **kept}.items()))
     if draft.name == "halter-dress" and any(claim.name == "slit" for claim in claims):
         return replace(

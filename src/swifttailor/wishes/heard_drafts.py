@@ -17,14 +17,19 @@ from swifttailor.wishes.clinging_drafts import STRETCH, clinging_as_asked
 from swifttailor.wishes.drafts_as_asked import draft_as_asked
 from swifttailor.wishes.drafts_of_names import covers, draft_of_kind, draft_of_name
 from swifttailor.wishes.godets_as_asked import godets_as_asked
+from swifttailor.wishes.gored_drafts import gored_as_said
 from swifttailor.wishes.hearted_drafts import hearted_as_asked
 from swifttailor.wishes.legs_by_words import ELASTIC, legs_as_said
+from swifttailor.wishes.loosened_drafts import is_to_be_loose, loosened_as_asked
+from swifttailor.wishes.low_skirts import low_as_asked
 from swifttailor.wishes.opened_drafts import opened_as_asked
 from swifttailor.wishes.oversized_drafts import oversized_as_asked
 from swifttailor.wishes.refused_looks import as_not_refused
 from swifttailor.wishes.sailor_collars import asks_for_sailor_collar, with_sailor_collar
+from swifttailor.wishes.straight_edges import straight_as_said
 from swifttailor.wishes.tier_heights import tier_as_said
 from swifttailor.wishes.tiers_as_asked import tiers_as_asked
+from swifttailor.wishes.tops_to_the_legs import to_the_legs_as_said
 from swifttailor.wording.lexicon import Entry
 
 if TYPE_CHECKING:
@@ -76,8 +81,11 @@ def drafts_of(heard: Heard) -> tuple[NamedDraft, ...]:
     fitting = [armholes_as_asked(draft, heard.lacks) for draft in _begun(heard, entries, sure)]
     fitting = [oversized_as_asked(draft, sure) for draft in fitting]
     fitting = [hearted_as_asked(draft, heard.lacks, sure) for draft in fitting]
-    if _clings(heard):
+    if _clings(heard) and not is_to_be_loose(sure):
         fitting = [clinging_as_asked(draft, sure) for draft in fitting]
+    fitting = [loosened_as_asked(draft, sure) for draft in fitting]
+    fitting = [straight_as_said(to_the_legs_as_said(draft, heard.text), heard.text) for draft in fitting]
+    fitting = [low_as_asked(draft, sure) for draft in gored_as_said(fitting, heard.text)]
     if asks_for_sailor_collar(entries):
         fitting = [with_sailor_collar(draft) for draft in fitting]
     fitting = [legs_as_said(draft, heard.text, _elastic(heard), heard.never) for draft in fitting]
@@ -127,7 +135,7 @@ def _begun(heard: Heard, entries: Sequence[Entry], sure: Sequence[Claim]) -> lis
         fitting = [draft_of_name(entry, heard.kind or "", sure) for entry in kinds]
         if _says_details(heard) and not any(heard.kind in entry.kinds for entry in heard.meant):
             fitting = [draft_of_kind(heard.kind, sure)]
-    return [draft for draft in fitting if draft is not None]
+    return [as_not_refused(draft, heard.never) for draft in fitting if draft is not None]
 
 
 def _told_beside(heard: Heard, entry: Entry) -> int:

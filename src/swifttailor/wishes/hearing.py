@@ -47,13 +47,7 @@ from swifttailor.wishes.spoken_sides import spoken_sides, without_spans
 from swifttailor.wishes.sureness import likely_wishes, sure_wishes
 from swifttailor.wishes.text_as_read import ENGLISH, lacks_of, text_as_read
 from swifttailor.wishes.unread import says_nothing_else, unread_numbers
-from swifttailor.wishes.weighed_together import (
-    loose_alone,
-    of_both_faces,
-    other_slits,
-    within_figures,
-    without_flare,
-)
+from swifttailor.wishes.weighed_together import of_both_faces, other_slits, weighed_all, without_flare
 from swifttailor.wishes.whole_wish import described_as_a_whole
 from swifttailor.wishes.words_of_looks import has_sheer_sleeves, spans_of_looks
 from swifttailor.wishes.worn_for import worn_for
@@ -166,7 +160,7 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
             subjects=_only_subjects(words),
         )
     found = within_the_name(without_wrong_kind(found, said, words), words)
-    found = loose_alone(within_figures(with_one_band(found, words)))
+    found = weighed_all(with_one_band(found, words), {i.claim for i in words.implications if not i.said})
     found = (*without_deep_cuffs(text, words, without_flare(found)), *of_both_faces(text, found))
     if any(claim == _BARE_ARMS for claim in never) and not any(
         isinstance(w.change, Gain) and w.change.claim.name in ("sleeves", "left_sleeve", "sleeve_cm")

@@ -53,6 +53,8 @@ _LENGTHS: Mapping[str, float] = {
 }
 """Of skirts, where no option says otherwise, cm."""
 _LONGEST_CM, _SHORTEST_CM = 100.0, 36.0
+_FLOOR, _FLOUNCED_CM = Claim("skirt_hem", "floor"), 84.0
+"""A flounce begins at the knee: skirts that have one are at least so long."""
 _SLIP = "slip-dress"
 CIRCLES: Mapping[str, float] = {
     "a-line": 0.3,
@@ -124,6 +126,8 @@ def _held(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
         own_options = {key: value for key, value in options.items() if key not in ("fitted", "flounce")}
         return NamedDraft(name, (*own_options.items(), *flags))
     length = float(options.get("skirt_length", _LENGTHS[draft.name]))
+    if skirt == "flounce" and _own_skirt(draft) != "flounce":
+        length = max(length, _FLOUNCED_CM if _FLOOR not in claims else _LONGEST_CM)
     options |= {"skirt_length": min(max(length, _SHORTEST_CM), _LONGEST_CM)}
     options.setdefault("skirt_fraction", CIRCLES["flared"])
     kept = [(key, value) for key, value in options.items() if key in _OF_SKIRT[skirt]]

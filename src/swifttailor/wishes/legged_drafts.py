@@ -38,6 +38,9 @@ _OVER_INSEAM_CM, _LONG_LEGS_CM = 33.3, (90.0, 118.0)
 _WIDE, _WIDE_CM = Claim("legs", "wide"), 30.0
 _BAGGY: Mapping[str, float] = {"hip_ease": 14.0, "leg_ease": 30.0, "flare": -4.0}
 """Joggers with wide legs: they are baggy, and no harem trousers unless those are meant."""
+_TAPERED, _TO_THE_ANKLE_CM, _WIDE_BAND_CM = Claim("legs", "tapered"), 92.0, 8.0
+_ROOMY: Mapping[str, float] = {"hip_ease": 16.0, "leg_ease": 18.0, "flare": -9.0}
+"""Trousers that are wide at the hips and narrow below."""
 _LOOSE, _LOOSE_CM = Claim("hips", "loose"), 12.0
 
 
@@ -83,6 +86,8 @@ def _with_legs(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     if DRAFT_KINDS[draft.name] == "jumpsuit":
         ends = [_SHORT_CM[str(c.value)] for c in claims if c.name == "leg_hem" and str(c.value) in _SHORT_CM]
         options |= {"length": ends[0], "flare": max(float(options.get("flare", 0.0)), 0.0)} if ends else {}
+    if draft.name == "trousers" and {_LOOSE, _TAPERED} <= frozenset(claims):
+        return _roomy_and_tapered(options, claims)
     if draft.name == "trousers" and _WIDE in claims and float(options.get("leg_ease", _CLOSEST)) < _WIDE_CM:
         options |= _LEGS["wide"]
     if DRAFT_KINDS[draft.name] == "trousers":
@@ -92,6 +97,13 @@ def _with_legs(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     if _LOOSE in claims:
         options["hip_ease"] = max(_LOOSE_CM, float(options.get("hip_ease", 0.0)))
     return replace(draft, options=tuple(options.items()))
+
+
+def _roomy_and_tapered(options: Mapping[str, float | bool | str], claims: Sequence[Claim]) -> NamedDraft:
+    """Trousers with room at the hips and narrow ends: gathered at the waist, as darts would stand off."""
+    length = min(float(options.get("length", _TO_THE_ANKLE_CM)), _TO_THE_ANKLE_CM)
+    band = {"band_height": _WIDE_BAND_CM} if Claim("waistband", "wide") in claims else {}
+    return NamedDraft("pull-on-trousers", tuple({"length": length, **_ROOMY, **band}.items()))
 
 
 def _as_long(name: str, claim: Claim) -> Mapping[str, float]:

@@ -1,4 +1,4 @@
-"""How high the uppermost tier of a skirt is told to be: "first tier 30 cm", "the top tier twice as long"."""
+"""How high tiers of a skirt are told to be: "first tier 30 cm", "top tier twice as long", "25 cm a tier"."""
 
 from __future__ import annotations
 
@@ -26,6 +26,15 @@ _COMPARED = re.compile(
     rf"(?:{_LOWER}|others?|rest|second|bottom)",
     re.IGNORECASE,
 )
+_EACH = re.compile(
+    rf"{_LENGTH} ?(?:a|per|each|every|for each|for every|in each|/) ?{_TIER}\b"
+    rf"|\b(?:each|every) {_TIER}\b[^.;,\d]{{0,20}}?{_LENGTH.replace('<', '<each_')}"
+    rf"|{_TIER}s (?:of|at) {_LENGTH.replace('<', '<of_')}"
+    rf"|{_TIER}s\b[^.;,\d]{{0,12}}?{_LENGTH.replace('<', '<deep_')}(?: (?:deep|high|long|tall|wide))? each\b",
+    re.IGNORECASE,
+)
+"""Figures for all tiers alike."""
+_SHORTEST_CM, _LONGEST_CM = 36.0, 100.0
 _TIMES: Mapping[str, float] = {
     **dict.fromkeys(("twice", "two times", "double", "2x", "2 times"), 2.0),
     **dict.fromkeys(("three times", "3 times"), 3.0),
@@ -49,7 +58,11 @@ def tier_as_said(draft: NamedDraft, text: str) -> NamedDraft:
     if draft.name != _TIERED or options.get("close"):
         return draft
     tiers = round(float(options.get(_TIERS, _USUAL_TIERS)))
-    whole = float(options.get("length", _USUAL_CM)) - float(options.get("band_height", _BAND_CM))
+    band = float(options.get("band_height", _BAND_CM))
+    if (each := _each(text)) is not None:
+        length = min(max(round(each * tiers + band, 1), _SHORTEST_CM), _LONGEST_CM)
+        return replace(draft, options=tuple({**options, "length": length}.items()))
+    whole = float(options.get("length", _USUAL_CM)) - band
     first = _told(text, tiers, whole)
     if first is None and tiers == 2:
         first = _TWO_FIRST * whole
@@ -63,15 +76,30 @@ def tier_as_said(draft: NamedDraft, text: str) -> NamedDraft:
 @lru_cache(maxsize=64)
 def tier_figures(text: str) -> tuple[tuple[int, int], ...]:
     """Where figures stand that tell how high a tier is: start and end of each."""
-    return tuple([(m.start("number"), m.end("unit")) for m in _MEASURED.finditer(text)])
+    each = [(m.start(_of(m, "number")), m.end(_of(m, "unit"))) for m in _EACH.finditer(text)]
+    return (*[(m.start("number"), m.end("unit")) for m in _MEASURED.finditer(text)], *each)
+
+
+def _of(found: re.Match[str], name: str) -> str:
+    """The group of the way of saying that was found."""
+    return next(f"{way}{name}" for way in ("", "each_", "of_", "deep_") if found[f"{way}{name}"])
+
+
+def _each(text: str) -> float | None:
+    """Height of every tier by the text, cm; None where it says nothing of it."""
+    found = _EACH.search(text)
+    return None if found is None else _in_cm(found[_of(found, "number")], found[_of(found, "unit")])
+
+
+def _in_cm(number: str, unit: str) -> float:
+    scale = next(value for key, value in _IN_CM.items() if unit.lower().startswith(key))
+    return float(number.replace(",", ".")) * scale
 
 
 def _told(text: str, tiers: int, whole: float) -> float | None:
     """Height of the uppermost tier by the text, cm; None where it says nothing of it."""
     for found in _MEASURED.finditer(text):
-        unit = found["unit"].lower()
-        scale = next(value for key, value in _IN_CM.items() if unit.startswith(key))
-        height = float(found["number"].replace(",", ".")) * scale
+        height = _in_cm(found["number"], found["unit"])
         if re.fullmatch(_UPPER, found["which"], re.IGNORECASE):
             return height
         if tiers == 2:

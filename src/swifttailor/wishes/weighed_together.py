@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 
 from swifttailor.describing.claims import Claim
 from swifttailor.describing.differences import Gain
@@ -17,7 +17,8 @@ _BOTH_FACES = re.compile(
 _BEHIND = {"v": "v", "square": "square", "round": "round", "scoop": "round", "crew": "round"}
 """Shapes of back necklines by those of front ones."""
 _ONE_SLIT = re.compile(
-    r"(?<!\w)(?:(?:one|single|only one|just one|only a|just a) (?:\w+ )?(?:slit|split|vent)"
+    r"(?<!\w)(?:(?:one|single|only one|just one|only a|just a|an?) (?:\w+ )?(?:slit|split|vent)(?!\w)"
+    r"(?![^.;,]{0,20}(?<!\w)(?:each|both|either|two|every)(?!\w))"
     r"|(?:slit|split|vent)[^.;]{0,30}(?<!\w)only"
     r"|(?:slit|split)(?!\w)[^.;,]{0,30}(?<!\w)(?:on|at|up|in) the (?:left|right))(?!\w)",
     re.IGNORECASE,
@@ -35,6 +36,13 @@ _SIZES_OF_WORDS = (
 """Measure, claim, word, and between which figures in cm the word may be true."""
 
 
+_FROM_THE_KNEE = Gain(Claim("skirt", "fitted base"))
+_LOOSE = frozenset({Gain(Claim("fit", "loose")), Gain(Claim("fit", "oversized"))})
+_CLINGS = frozenset(
+    {Gain(Claim("hips", "close")), Gain(Claim("skirt", "pencil")), Gain(Claim("fit", "close"))}
+)
+
+
 def other_slits(text: str, claims: Sequence[Claim]) -> tuple[Claim, ...]:
     """Slits that are refused by asking for one alone: "one slit, on the right"."""
     places = {claim.value for claim in claims if claim.name == "slit"}
@@ -43,17 +51,27 @@ def other_slits(text: str, claims: Sequence[Claim]) -> tuple[Claim, ...]:
     return tuple([Claim("slit", each) for each in ("left", "right", "front", "back") if each not in places])
 
 
+def weighed_all(found: Sequence[Wish], named: Collection[Claim]) -> tuple[Wish, ...]:
+    """What is asked for, without what figures, room and gores that are asked for contradict.
+
+    Args:
+        found: What is asked for.
+        named: What names alone mean, and no detail says.
+    """
+    return _loosened_names(_gored_below(_loose_alone(_within_figures(found))), named)
+
+
 def without_flare(found: Sequence[Wish]) -> tuple[Wish, ...]:
-    """Without what a skirt of rows or wedges cannot be called: it is not flared from the waist."""
+    """Without what skirts of rows or wedges, or flared from the knee, are not: flared from the waist."""
     changes = [wish.change for wish in found]
-    parted = any(Gain(Claim("skirt", value)) in changes for value in ("godets", "tiered"))
+    parted = any(Gain(Claim("skirt", value)) in changes for value in ("godets", "tiered", "fitted base"))
     less = {Gain(Claim("skirt", "flared"))} if parted else set()
     if Gain(Claim("skirt", "gathered tiers")) in changes:
         less.add(Gain(Claim("skirt", "gathered")))
     return tuple([w for w in found if w.change not in less])
 
 
-def within_figures(found: Sequence[Wish]) -> tuple[Wish, ...]:
+def _within_figures(found: Sequence[Wish]) -> tuple[Wish, ...]:
     """Without words for a size that a figure contradicts: a cuff of 8 cm is not deep."""
     figures = {w.change.claim.name: w.change.claim.value for w in found if isinstance(w.change, Gain)}
     against = {
@@ -64,12 +82,27 @@ def within_figures(found: Sequence[Wish]) -> tuple[Wish, ...]:
     return tuple([w for w in found if w.change not in against])
 
 
-def loose_alone(found: Sequence[Wish]) -> tuple[Wish, ...]:
+def _loose_alone(found: Sequence[Wish]) -> tuple[Wish, ...]:
     """Without an easy fit where a loose one is asked for: "long and loose, straight cut" stays loose."""
     certain = {w.change for w in found if w.certainty >= SURE}
     if not certain & {Gain(Claim("fit", "loose")), Gain(Claim("fit", "oversized"))}:
         return tuple(found)
     return tuple([w for w in found if w.change != Gain(Claim("fit", "easy"))])
+
+
+def _gored_below(found: Sequence[Wish]) -> tuple[Wish, ...]:
+    """Gores that flare from the knee are all of one row: no flounce below a close part is asked for."""
+    changes = [wish.change for wish in found]
+    if Gain(Claim("skirt", "gored")) not in changes or _FROM_THE_KNEE not in changes:
+        return tuple(found)
+    return tuple([w for w in found if w.change != _FROM_THE_KNEE])
+
+
+def _loosened_names(found: Sequence[Wish], named: Collection[Claim]) -> tuple[Wish, ...]:
+    """Without the close hips of a name where the whole is to be loose: a "loose fitting bodycon dress"."""
+    if not {w.change for w in found if w.certainty >= SURE} & _LOOSE:
+        return tuple(found)
+    return tuple([w for w in found if w.change not in _CLINGS or w.change.claim not in named])
 
 
 def of_both_faces(text: str, found: Sequence[Wish]) -> list[Wish]:

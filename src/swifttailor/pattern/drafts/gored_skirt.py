@@ -14,6 +14,11 @@ from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Halves
 from swifttailor.pattern.drafts.outline import Outline
 
+_LEAST_CLOSE = 8.0
+"""Gores that flare less far below the hips do so from there, cm."""
+_NARROWS = 0.035
+"""How much narrower one that is close to the knee becomes, cm per cm."""
+
 
 @dataclass(frozen=True)
 class Gores:
@@ -25,6 +30,8 @@ class Gores:
     """All around; of an odd number one more is in front."""
     flare: float
     """Width of the hem over that of the hips, cm around."""
+    close: float = 0.0
+    """Upper edge to where it begins to flare, cm; 0: from the hips on."""
 
     @property
     def faces(self) -> tuple[int, int]:
@@ -53,7 +60,10 @@ def lay_gored_skirt(
     for back, half, count in ((False, waist.front, ahead), (True, waist.back, behind)):
         top = 2 * half / count
         hip = top + 2 * wider
-        gore = partial(_gore, top, hip, hip + shape.flare / shape.count, shape.length, to_hips)
+        hem = hip + shape.flare / shape.count
+        gore = partial(_gore, top, hip, hem, shape.length, to_hips)
+        if shape.close > to_hips + _LEAST_CLOSE:
+            gore = partial(_trumpet_gore, top, hip, hem, shape.length, to_hips, shape.close)
         names = _names(shape.count, back=back)
         for k, name in enumerate(names):
             place = around((k + 0.5) / count)
@@ -83,6 +93,19 @@ def _names(count: int, *, back: bool) -> list[str]:
     """Of the gores of one face, from the wearer's right to the left."""
     ahead = count - count // 2
     return [f"skirt_panel_{k}" for k in (range(ahead, count) if back else range(ahead))]
+
+
+def _trumpet_gore(top: float, hip: float, hem: float, length: float, to_hips: float, close: float) -> Outline:
+    """One gore like `_gore` to the hips, that narrows a little down to `close` and flares below it."""
+    knee = hip - min(_NARROWS * (close - to_hips), 0.2 * hip)
+    below, out = length - close, (hem - knee) / 2
+    side_y = -close - math.sqrt(max(below**2 - out**2, 1.0))
+    outline = Outline(-hem / 2, side_y).quadratic("hem", (0.0, -2 * length - side_y), (hem / 2, side_y))
+    outline.line("right", knee / 2, -close).line("right", hip / 2, -to_hips)
+    low, high = (hip / 2, -0.6 * to_hips), (top / 2 + 0.225 * (hip - top), -0.3 * to_hips)
+    outline.cubic("right", low, high, (top / 2, 0.0)).line("top", -top / 2, 0.0)
+    outline.cubic("left", (-high[0], high[1]), (-low[0], low[1]), (-hip / 2, -to_hips))
+    return outline.line("left", -knee / 2, -close).line("left", -hem / 2, side_y).closed()
 
 
 def _gore(top: float, hip: float, hem: float, length: float, to_hips: float) -> Outline:

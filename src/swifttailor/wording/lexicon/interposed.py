@@ -1,4 +1,4 @@
-"""Lengths that stand within names, as shops write them: a "milkmaid midi dress" is a midi milkmaid dress."""
+"""Words within names: a "milkmaid midi dress" is a midi milkmaid dress, "cropped white jeans" are white."""
 
 from __future__ import annotations
 
@@ -19,6 +19,10 @@ _TOGETHER = ("space", "hyphen")
 _LONGEST = 3
 """Words of a name before its noun, at most."""
 _DRESS, _SKIRT = "dress", "skirt"
+_OF = frozenset(["de", "du", "des", "d'", "da", "do", "di", "della", "a", "à", "con", "com", "en", "in"])
+"""What joins a noun and what tells of it in Romance languages."""
+_WITHIN, _BEHIND = 2, 4
+"""How many words may part them, and how many a name goes on for behind its noun, at most."""
 
 
 def lengths_first(tokens: Sequence[Token], known: Vocabulary) -> list[Token]:
@@ -43,6 +47,84 @@ def lengths_first(tokens: Sequence[Token], known: Vocabulary) -> list[Token]:
             length[-1] = length[-1]._replace(gap="space")
             moved[begin : k + 1] = [*length, *name]
     return moved
+
+
+def colors_first(tokens: Sequence[Token], known: Vocabulary) -> list[Token]:
+    """The words of a text, with colours before the names that they stand in: "cropped white jeans".
+
+    Not behind what is a garment itself: a "shirt white dress" may be two.
+
+    Args:
+        tokens: In the order of the text.
+        known: The words of the language.
+    """
+    moved = list(tokens)
+    for k in range(1, len(moved) - 1):
+        spans = [end for end in (k + 2, k + 1) if end < len(moved) and _is_color(moved[k:end], known)]
+        if not spans:
+            continue
+        noun = moved[spans[0]].word
+        for begin in range(max(0, k - _LONGEST), k):
+            before = [token.word for token in moved[begin:k]]
+            colored = [token.word for token in moved[begin : spans[0]]]
+            if any(token.gap not in _TOGETHER for token in moved[begin : spans[0]]):
+                continue
+            if _names(known.find(before[-1:])) or _names(known.find([*colored, noun])):
+                continue
+            if _names(known.find([*before, noun])) and _names(known.find([noun])):
+                color = moved[k : spans[0]]
+                color[-1] = color[-1]._replace(gap="space")
+                moved[begin : spans[0]] = [*color, *moved[begin:k]]
+                break
+    return moved
+
+
+def _is_color(tokens: Sequence[Token], known: Vocabulary) -> bool:
+    senses = known.find([token.word for token in tokens])
+    return bool(senses) and all(sense.entry.category == "colors" for sense in senses)
+
+
+def names_together(tokens: Sequence[Token], known: Vocabulary) -> list[Token]:
+    """The words of a text of a Romance language, with adjectives behind the names that they stand in.
+
+    So a "falda negra de flamenca" is one, and black. Nothing is moved where a noun and its adjective are a
+    name themselves, as "vestido largo".
+
+    Args:
+        tokens: In the order of the text.
+        known: The words of the language.
+    """
+    moved = list(tokens)
+    for k in range(1, len(moved)):
+        for within in range(1, _WITHIN + 1):
+            link = k + within
+            if link >= len(moved) or moved[link].word not in _OF:
+                continue
+            end = _end_of_name(moved, k, link, known)
+            if end is None:
+                continue
+            within_name, behind = moved[k:link], moved[link:end]
+            last = behind[-1].gap
+            behind[-1] = behind[-1]._replace(gap="space")
+            within_name[-1] = within_name[-1]._replace(gap=last)
+            moved[k:end] = [*behind, *within_name]
+            break
+    return moved
+
+
+def _end_of_name(tokens: Sequence[Token], first: int, link: int, known: Vocabulary) -> int | None:
+    """Where the longest name ends whose noun stands before `first` and goes on at `link`."""
+    noun, within = tokens[first - 1].word, [token.word for token in tokens[first:link]]
+    if not _names(known.find([noun])) or _names(known.find([noun, *within])):
+        return None
+    if any(word in _OF or _says_nothing(known.find([word])) for word in within):
+        return None
+    for end in range(min(link + _BEHIND, len(tokens)), link + 1, -1):
+        if any(token.gap not in _TOGETHER for token in tokens[first - 1 : end - 1]):
+            continue
+        if _names(known.find([noun, *[token.word for token in tokens[link:end]]])):
+            return end
+    return None
 
 
 def _begin_of_name(tokens: Sequence[Token], first: int, last: int, known: Vocabulary) -> int | None:

@@ -7,7 +7,7 @@ from functools import lru_cache
 from typing import NamedTuple
 
 from swifttailor.wording.lexicon.inflection import LANGUAGES, SHORTEST, Language
-from swifttailor.wording.lexicon.interposed import lengths_first, with_dress
+from swifttailor.wording.lexicon.interposed import colors_first, lengths_first, names_together, with_dress
 from swifttailor.wording.lexicon.tokens import Gap, Token, tokens_of
 from swifttailor.wording.lexicon.vocabulary import NUMBER, Sense, Vocabulary, vocabulary
 
@@ -23,6 +23,8 @@ _ALSO_FOREIGN: Mapping[str, Language] = {"gonna": "it"}
 """Words of English that name garments elsewhere: English where not all of the text is of that language."""
 _NOUNS_FIRST: Mapping[str, Language] = {"robe": "fr", "salopette": "fr"}
 """Words of English that name other garments where they stand first: "robe bustier", not "satin robe"."""
+_ROMANCE: frozenset[Language] = frozenset(["es", "fr", "it", "pt"])
+"""Their adjectives stand behind nouns, within names: "vestido rojo de flamenca"."""
 _JOINED = 3
 """Letters of each of two words that may be one word of the tables: "jump suit"."""
 _LINKS: Mapping[Language, tuple[str, ...]] = {
@@ -121,6 +123,9 @@ def _found(text: str, language: Language) -> tuple[Found, ...]:
     vocabularies = [vocabulary(language)] + ([] if language == "en" else [vocabulary("en")])
     if language == "en":
         tokens = lengths_first(with_dress(tokens, vocabularies[0]), vocabularies[0])
+        tokens = colors_first(tokens, vocabularies[0])
+    elif language in _ROMANCE:
+        tokens = names_together(tokens, vocabularies[0])
     found: list[Found] = []
     k = 0
     for count, senses in _parted(tokens, vocabularies):

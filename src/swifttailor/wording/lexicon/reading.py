@@ -159,16 +159,20 @@ def _reading(text: str, language: Language, kind: str | None, dialect: Dialect |
         )
         for k, w in enumerate(words)
     ]
-    implied, never = [], []
+    implied, never, of_names = [], [], set()
     kinds = _kinds_named(words)
     for word, mark in zip(words, marks, strict=True):
         if mark.denied:
             without, refused = _refused(mark)
             implied += without
             never += refused
+            of_names |= set(refused) if any(e.category == "garments" for e in mark.entries) else set()
         else:
             implied += [one for one in _implied(word, mark) if word.role != "like" or _has_place(one, kinds)]
     implied = with_covered_shoulders(_with_its_collar(_exact_lengths(implied, language)), never, marks)
+    # "Tight on top, but not like a ballgown" is tight on top.
+    of_names &= {i.claim for i in implied if i.said}
+    never = [claim for claim in never if claim not in of_names]
     named = _names_mean(marks)  # "a mini skirt, but not too short" is still a mini skirt
     never = [claim for claim in dict.fromkeys(never) if claim not in named]
     kept = _settled([i for i in implied if i.claim not in never])

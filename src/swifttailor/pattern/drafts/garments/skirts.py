@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Annotated
 
 from swifttailor.pattern.drafts import declared
-from swifttailor.pattern.drafts.band import lay_body_waist_band
+from swifttailor.pattern.drafts.band import band_below_waist, lay_body_waist_band
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure
 from swifttailor.pattern.drafts.fitted_skirt import FittedSkirt, lay_fitted_skirt
@@ -22,6 +22,9 @@ from swifttailor.pattern.drafts.measurements import Measurements
 from swifttailor.pattern.drafts.options import Option
 from swifttailor.pattern.drafts.shaped_hem import HemShape
 from swifttailor.pattern.pattern import Pattern
+
+_LEAST_FALL = 15.0
+"""Of a skirt below its band, cm."""
 
 
 @dataclass(frozen=True)
@@ -87,16 +90,19 @@ class CircleSkirtOptions:
     hem_dip: declared.HemDip = 0.0
     scallop_width: declared.ScallopWidth = 0.0
     hem_points: declared.HemPoints = 0.0
+    below_waist: declared.BelowWaist = 0.0
 
 
 def draft_circle_skirt(options: CircleSkirtOptions, measurements: Measurements) -> Pattern:
     """Drafts the circle skirt for a body."""
     figure = Figure.of(measurements)
     table = CuttingTable("circle-skirt")
-    lower = lay_body_waist_band(table, figure, options.band_height, options.waist_ease)
-    top_y = figure.waist_y - options.band_height - 3.0
+    below = band_below_waist(figure, options.below_waist, options.band_height)
+    lower = lay_body_waist_band(table, figure, options.band_height, options.waist_ease, below)
+    top_y = figure.waist_y - below - options.band_height - 3.0
+    fall = max(options.length - below - options.band_height, _LEAST_FALL)
     hem = HemShape(options.hem_dip, options.scallop_width, points=options.hem_points)
-    lay_flared_skirt(table, lower, options.length - options.band_height, top_y, options.fraction, hem)
+    lay_flared_skirt(table, lower, fall, top_y, options.fraction, hem)
     sew_skirt_to_band(table, SKIRT_WHOLE)
     return table.finish()
 

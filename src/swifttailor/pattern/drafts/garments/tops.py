@@ -112,6 +112,7 @@ class TankTopOptions:
     hem_rise: declared.HemRise = 0.0
     waist_shaping: declared.WaistShaping = 0.0
     stretch: declared.ClothStretch = 0.0
+    side_slits: declared.SideSlits = 0.0
 
 
 def draft_tank_top(options: TankTopOptions, measurements: Measurements) -> Pattern:
@@ -130,6 +131,7 @@ def draft_tank_top(options: TankTopOptions, measurements: Measurements) -> Patte
         shoulder_extension=min(strap_end - figure.shoulder_x, 0.0),
         racer=options.racer,
         side_rise=options.hem_rise,
+        side_slits=options.side_slits,
         waist_shaping=options.waist_shaping,
         follows=follows_body(options.stretch, options.waist_shaping),
     )
