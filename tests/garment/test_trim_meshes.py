@@ -43,7 +43,7 @@ FLAT = (
 )
 """What lies on the cloth along its edges; frills, fringe and bows stand off."""
 STAND_OFF = (
-    *("neck frill", "sleeve frills", "hem frill", "hem fringe", "neck bow", "waist bow"),
+    *("neck frill", "sleeve frills", "hem frill", "hem fringe", "neck bow", "waist bow", "shoulder bows"),
     *("stirrups", "frayed hem", "back bow", "back ties"),
 )
 ON_CLOTH, LIFTED = 0.1, (0.1, 0.8)

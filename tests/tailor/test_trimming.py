@@ -58,6 +58,7 @@ ASKED = {
     "a plain t-shirt": {"neck rib"},
     "a tank top": {"neck rib", "armhole ribs"},
     "a pussy bow blouse": {"neck bow"},
+    "a sundress that ties at the shoulders": {"shoulder bows"},
     "a skirt with a ruffled hem": {"hem frill"},
     "a cardigan with buttons": {"buttons", "patch pockets"},
     # German

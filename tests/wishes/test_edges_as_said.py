@@ -65,8 +65,8 @@ def test_such_gores_are_close_down_to_there():
 @pytest.mark.parametrize(
     ("named", "claim", "below"),
     [
-        ("circle-skirt(length=40)", Claim("rise", "low"), 10.0),
-        ("circle-skirt", Claim("rise", "mid"), 4.0),
+        ("circle-skirt(length=40)", Claim("rise", "low"), 14.0),
+        ("circle-skirt", Claim("rise", "mid"), 5.0),
         ("circle-skirt", Claim("rise", "high"), None),
         ("gathered-skirt", Claim("rise", "low"), None),
     ],

@@ -86,7 +86,7 @@ TRIMS_OF_PARTS: Mapping[str, tuple[str, ...]] = {
     "fringe": ("hem fringe",),
     "edging": ("edging", "lace trim"),
     "side_stripes": ("side stripes", "sleeve stripes"),
-    "bow": ("neck bow", "waist bow", "back bow", "back ties"),
+    "bow": ("neck bow", "waist bow", "shoulder bows", "back bow", "back ties"),
     "lacing": ("lacing", "back lacing"),
     "apron": ("apron",),
 }

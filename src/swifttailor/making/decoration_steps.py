@@ -47,6 +47,11 @@ _OTHERS: Mapping[str, tuple[str, str]] = {
         "Cut a band of 120 by 12 cm, fold it lengthwise, sew around it but for a gap, and turn it. Tie it, "
         "and fasten its knot to the middle of the waist.",
     ),
+    "shoulder bows": (
+        "Bows on the shoulders",
+        "Cut two bands of 60 by 6 cm, fold each lengthwise, sew around it but for a gap, and turn it. Tie "
+        "each, and fasten its knot to the front of a shoulder or strap.",
+    ),
     "stirrups": (
         "Straps under the feet",
         "Cut two bands of 24 by 8 cm, fold each lengthwise, sew along it and turn it. Sew its ends under the "

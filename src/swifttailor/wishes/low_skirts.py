@@ -8,7 +8,7 @@ from dataclasses import replace
 from swifttailor.describing.claims import Claim
 from swifttailor.pattern.drafts.draft_names import NamedDraft
 
-_BELOW_WAIST: Mapping[Claim, float] = {Claim("rise", "low"): 10.0, Claim("rise", "mid"): 4.0}
+_BELOW_WAIST: Mapping[Claim, float] = {Claim("rise", "low"): 14.0, Claim("rise", "mid"): 5.0}
 """How far below the waist the upper edge of the band is, cm."""
 _ROUND = "circle-skirt"
 

@@ -27,8 +27,6 @@ _BEFORE = re.compile(
     rf"(?<!\w)(?:{_PLACE})(?!\w)\W+(?:\w+\W+){{0,2}}?(?:(?P<longer>{_LONGER})|(?P<shorter>{_SHORTER}))(?!\w)"
 )
 _OTHER_PARTS = re.compile(r"(?<!\w)(?:neck\w*|sleeve\w*|collar|waist|slit|back neck\w*|zip\w*)(?!\w)")
-_BY_CM = re.compile(r"(?<![\d.,])(?P<cm>\d{1,2}(?:[.,]\d+)?) ?(?:cm|centimet\w+)(?!\w)")
-_SEEN_CM = 8.0
 _THAN_WHAT = re.compile(r"(?<!\w)(?:than|als|que)(?!\w)(?!.*(?<!\w)(?:in|at|behind)(?!\w))")
 """What is longer than the front is so behind."""
 _ONE_LONG = re.compile(
@@ -60,9 +58,6 @@ def spoken_hem(text: str, kind: str | None) -> Claim | None:
         if said is None:
             continue
         place = next(name for name in _OTHER_SIDE if said[name])
-        if place in ("back", "front") and (little := _BY_CM.search(sentence)) is not None:
-            if float(little["cm"].replace(",", ".")) < _SEEN_CM:
-                return None  # such hems are called level
         longer = bool(said["longer"]) != bool(_THAN_WHAT.search(said[0]))
         lower = place if longer else _OTHER_SIDE[place]
         if lower in ("left", "right"):

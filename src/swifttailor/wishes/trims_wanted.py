@@ -32,7 +32,7 @@ TRIMS_OF: Mapping[str, tuple[str, ...]] = {
     "rolled_sleeves": ("sleeve turn-ups",),
     "french_cuffs": ("sleeve turn-ups",),
     "padding": ("quilting",),
-    "ties": ("tie belt", "neck bow", "waist bow", "back bow", "back ties"),
+    "ties": ("tie belt", "neck bow", "waist bow", "shoulder bows", "back bow", "back ties"),
     "braid": ("edging",),
     "lace": ("lace trim",),
     "side_stripes": ("side stripes", "sleeve stripes"),

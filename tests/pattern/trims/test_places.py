@@ -65,6 +65,7 @@ SHOULD_HAVE = {
     "sleeve stripes": ("t-shirt", "bomber-jacket", "sweatshirt", "hoodie"),
     "neck bow": (*TOPS, "shirt-dress"),
     "waist bow": ("skater-dress", "fitted-dress", "fitted-skirt"),
+    "shoulder bows": ("strappy-dress", "camisole", "tank-top", "slip-dress", "fitted-dress"),
     "lacing": ("t-shirt", "shirt", "skater-dress", "bustier"),
     "boning": ("bustier", "strapless-dress", "fitted-dress", "skater-dress"),
     "apron": ("skater-dress", "gathered-skirt", "circle-skirt"),
@@ -112,7 +113,7 @@ def test_has_its_place_on_the_drafts_that_should_have_it(name, drafts):
         ("armhole ribs", "t-shirt"), ("elastic waist", "bomber-jacket"), ("creases", "fitted-skirt"),
         ("diagonal closing", "trousers"), ("knee rips", "fitted-skirt"), ("left knee rip", "t-shirt"),
         ("back buttons", "jeans"), ("back ties", "fitted-skirt"), ("back lacing", "jeans"),
-        ("boning", "jeans"), ("boning", "coat"),
+        ("boning", "jeans"), ("boning", "coat"), ("shoulder bows", "jeans"), ("shoulder bows", "bustier"),
     ],
 )  # fmt: skip
 def test_has_none_on_others(name, draft_name, drafts):

@@ -43,6 +43,8 @@ class Chalk:
         """Of the wearer beside the default body: children have smaller pockets."""
         self.waist = self._waist_at(self.size * figure.waist_y)
         self.crotch = self.size * figure.crotch_y
+        self.shoulder = self.size * figure.shoulder_line(figure.shoulder_x)
+        """Height of the shoulder tips, cm."""
 
     def _waist_at(self, usual: float) -> float:
         """Height of the waistband or the waist seam, cm; the body's waist where there is neither."""

@@ -20,6 +20,8 @@ _TURNED_BACK = 4.0
 _EDGING, _LACE_TRIM, _RIB, _HEM_RIB = 1.3, 3.5, 2.0, 3.0
 """How wide edging, lace and ribbed bands are, cm."""
 _BOW, _BOW_TAIL = 15.0, 17.0
+_BELOW_SHOULDER, _SHOULDER_BOW, _SHOULDER_TAIL = 3.0, 11.0, 10.5
+"""Bows on shoulders: how far below their highest point, how wide, and how long their ends are, cm."""
 _BELOW_NECK = 1.0
 """A bow's knot and the ends of a cord begin so far below the neck, cm."""
 _LACED_APART, _LACES_RISE, _LACE = 3.2, 3.6, 0.22
@@ -110,6 +112,22 @@ def neck_bow(chalk: Chalk, name: str) -> list[Trim]:
 def waist_bow(chalk: Chalk, name: str) -> list[Trim]:
     """In the middle of the waist in front, on a waistband, a bodice or a dress without a waist seam."""
     return bow_at_waist(chalk, name, ("wb_front", "left_ftorso"), above=3.0)
+
+
+def shoulder_bows(chalk: Chalk, name: str) -> list[Trim]:
+    """One at the front end of each shoulder or strap."""
+    bows: list[Trim] = []
+    for panel in ("left_ftorso", "right_ftorso"):
+        view = chalk.views.get(panel)
+        y = 0.0 if view is None else view.high - _BELOW_SHOULDER * chalk.size
+        span = None if view is None else view.span(y)
+        if view is None or span is None or view.high < chalk.shoulder - chalk.size:
+            return []  # strapless
+        if not view.holds([((span[0] + span[1]) / 2, y)]):
+            return []
+        u, v = view.local([((span[0] + span[1]) / 2, y)])[0].tolist()
+        bows.append(Bow(name, panel, (u, v), _SHOULDER_BOW * chalk.size, _SHOULDER_TAIL * chalk.size))
+    return bows
 
 
 def bow_at_waist(

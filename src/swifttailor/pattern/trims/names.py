@@ -48,6 +48,7 @@ TRIMS: Mapping[str, str] = {
     "sleeve stripes": "stripes down the sleeves",
     "neck bow": "a bow at the neck",
     "waist bow": "a bow at the waist",
+    "shoulder bows": "bows on the shoulders",
     "lacing": "lacing down the front",
     "boning": "boning in the bodice",
     "apron": "an apron in front",

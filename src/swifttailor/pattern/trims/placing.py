@@ -64,6 +64,7 @@ _PLACES: Mapping[str, Callable[[Chalk, str], list[Trim]]] = {
     "sleeve stripes": sleeve_stripes,
     "neck bow": decorations.neck_bow,
     "waist bow": decorations.waist_bow,
+    "shoulder bows": decorations.shoulder_bows,
     "lacing": decorations.lacing,
     "boning": boning,
     "apron": decorations.apron,
