@@ -24,6 +24,7 @@ _INSTEAD: Mapping[Claim, Mapping[str, float]] = {
 """Options of drafts, in cm, with which they are not so."""
 
 
+_LOW, _SHALLOW_V_CM = Claim("neck_depth", "low"), 12.5
 _SWIMSUIT = "swimsuit"
 _LOW_BACKS = frozenset({Claim("back_depth", "low"), Claim("back_depth", "open")})
 """What a swimsuit on straps has, and one cut like a bodysuit has not."""
@@ -53,6 +54,7 @@ def as_not_refused(draft: NamedDraft, never: Collection[Claim]) -> NamedDraft:
         draft = NamedDraft("bodysuit", (("stretch", 8.0), ("sleeves", False), ("neck_depth", 14.0)))
     if _MINI in never and draft.name in _SKIRT_LENGTHS:
         draft = _no_mini(draft)
+    draft = _with_shallow_v(draft) if _LOW in never else draft
     wanted = {name: value for claim in never for name, value in _INSTEAD.get(claim, {}).items()}
     if not wanted:
         return draft
@@ -78,6 +80,14 @@ def refused_frills(words: WordReading) -> tuple[Claim, ...]:
     """What is like frills, where a text wants none: "frills no"."""
     denied = [entry for mark in words.marks if mark.denied for entry in mark.entries]
     return _FRILLS if any("frills" in entry.cannot for entry in denied) else ()
+
+
+def _with_shallow_v(draft: NamedDraft) -> NamedDraft:
+    """A V that is no deeper than one that is still seen for a V."""
+    options = dict(draft.options)
+    if options.get("neckline") != "v" or float(options.get("neck_depth", 0.0)) <= _SHALLOW_V_CM:
+        return draft
+    return replace(draft, options=tuple({**options, "neck_depth": _SHALLOW_V_CM}.items()))
 
 
 def _no_mini(draft: NamedDraft) -> NamedDraft:

@@ -37,6 +37,9 @@ _SIZES_OF_WORDS = (
 
 
 _FROM_THE_KNEE = Gain(Claim("skirt", "fitted base"))
+_ABOVE_FLOUNCES = frozenset(
+    [Gain(Claim("skirt_hem", end)) for end in ("micro", "mini", "above the knee", "knee", "below the knee")]
+)
 _LOOSE = frozenset({Gain(Claim("fit", "loose")), Gain(Claim("fit", "oversized"))})
 _CLINGS = frozenset(
     {Gain(Claim("hips", "close")), Gain(Claim("skirt", "pencil")), Gain(Claim("fit", "close"))}
@@ -62,13 +65,19 @@ def weighed_all(found: Sequence[Wish], named: Collection[Claim]) -> tuple[Wish, 
 
 
 def without_flare(found: Sequence[Wish]) -> tuple[Wish, ...]:
-    """Without what skirts of rows or wedges, or flared from the knee, are not: flared from the waist."""
+    """Without what skirts of rows or wedges, or flared from the knee, are not: flared from the waist.
+
+    What flares from the knee does not end there, unless that is said for sure.
+    """
     changes = [wish.change for wish in found]
     parted = any(Gain(Claim("skirt", value)) in changes for value in ("godets", "tiered", "fitted base"))
     less = {Gain(Claim("skirt", "flared"))} if parted else set()
     if Gain(Claim("skirt", "gathered tiers")) in changes:
         less.add(Gain(Claim("skirt", "gathered")))
-    return tuple([w for w in found if w.change not in less])
+    less_likely = _ABOVE_FLOUNCES if _FROM_THE_KNEE in changes else frozenset()
+    return tuple(
+        [w for w in found if w.change not in less and (w.certainty >= SURE or w.change not in less_likely)]
+    )
 
 
 def _within_figures(found: Sequence[Wish]) -> tuple[Wish, ...]:
@@ -102,7 +111,8 @@ def _loosened_names(found: Sequence[Wish], named: Collection[Claim]) -> tuple[Wi
     """Without the close hips of a name where the whole is to be loose: a "loose fitting bodycon dress"."""
     if not {w.change for w in found if w.certainty >= SURE} & _LOOSE:
         return tuple(found)
-    return tuple([w for w in found if w.change not in _CLINGS or w.change.claim not in named])
+    clings = {change for change in _CLINGS if change.claim in named}
+    return tuple([w for w in found if w.change not in clings])
 
 
 def of_both_faces(text: str, found: Sequence[Wish]) -> list[Wish]:
