@@ -407,6 +407,7 @@ def test_a_colour_behind_a_pause_joins_no_name():
         ("pj shorts", {"kind=shorts", "leg_hem=thigh"}),
         ("a housecoat", {"collar=lapel", "waist_seam=natural"}),
         ("capri shorts", {"leg_hem=calf", "legs=slim"}),
+        ("a healer robe", {"hood=hood", "skirt_hem=floor", "sleeve_shape=wide"}),
         ("a dress, tight on top", {"fit=close", "waist_seam=natural"}),
         ("a skatery dress", {"skirt=flared"}),
     ],

@@ -16,7 +16,7 @@ _FROM_THE_KNEE = re.compile(
 _FLOUNCED = "mermaid-skirt"
 _GORED, _CLOSE_TO_CM, _LEAST_BELOW_CM = "gored-skirt", 50.0, 22.0
 """How far below the waist they begin to flare, and how much there is below it, cm."""
-_USUAL_CM, _HIP_CM = 66.0, 1.5
+_USUAL_CM, _HIP_CM = 66.0, 2.5
 """Length where none is given, and the room at the hips of what is close there, cm."""
 
 

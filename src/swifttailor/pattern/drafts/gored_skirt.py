@@ -57,6 +57,8 @@ def lay_gored_skirt(
     ahead, behind = shape.faces
     # All edges widen alike, so that those at the sides are equally long.
     wider = max((hips.front - waist.front) / ahead, (hips.back - waist.back) / behind)
+    if shape.close > 0 and ahead == behind:  # close all around: the side seams move back a little
+        wider = (hips.front - waist.front + hips.back - waist.back) / (ahead + behind)
     for back, half, count in ((False, waist.front, ahead), (True, waist.back, behind)):
         top = 2 * half / count
         hip = top + 2 * wider
