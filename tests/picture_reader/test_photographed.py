@@ -20,8 +20,20 @@ from swifttailor.picture_reader.seen_design import SeenDesign
 from swifttailor.programs.read_parameter import ReadParameter
 from swifttailor.render import Camera
 
+WHOLE = -5, 0, 90
 CAMERA = Camera((0.0, 100.0, 0.0), 180.0)
-ALL, CUT = (PictureReading((), CAMERA, (0, 0, side, side)) for side in (90, 45))
+
+
+def worn(certainty):
+    """A top of whose design so much is read."""
+    shares = np.full(8, (1 - certainty) / 7)
+    shares[3] = certainty
+    design = SeenDesign((ReadParameter("a", tuple("abcdefgh")),), (shares,))
+    return (PartReading("upper", 0.9, (), (), (), np.zeros((4, 4), np.float32), design=design),)
+
+
+VAGUE, SURE = worn(MOST_DESIGNED - 0.01), worn(MOST_DESIGNED + 0.01)
+ALL, CUT = (PictureReading(VAGUE, CAMERA, (0, 0, side, side)) for side in (90, 45))
 
 
 class Finder:
@@ -50,11 +62,11 @@ def street():
 def test_people_are_cut_out_of_streets(street, figures, sure):
     shown = []
 
-    def read(cut, square):
-        shown.append((cut, square))
+    def read(*views):
+        shown.extend(views)
         return replace(CUT, figures="none")
 
-    found = as_photograph(street, replace(ALL, figures=figures), Finder(sure), read)
+    found = as_photograph((street, WHOLE), replace(ALL, figures=figures), Finder(sure), read)
     if sure is None or (figures == "none" and sure < SURELY_SOMEBODY):
         assert found is None and not shown
         return
@@ -65,16 +77,26 @@ def test_people_are_cut_out_of_streets(street, figures, sure):
     assert found.figures == ("several" if figures == "several" else "one")
 
 
-def test_before_a_plain_ground_people_are_read_as_they_are(street):
+def test_before_a_plain_ground_people_are_read_as_they_are_too(street):
     street[:, :25] = street[:15] = 255
-    finder = Finder(0.9)
-    found = as_photograph(street, ALL, finder, lambda *_: CUT)
-    assert found.box == ALL.box and found.is_photograph and not finder.looked
-    assert as_photograph(street, replace(ALL, figures="several"), finder, lambda *_: CUT).box == CUT.box
+    shown = []
+
+    def read(*views):
+        shown.append(views)
+        return CUT
+
+    found = as_photograph((street, WHOLE), ALL, Finder(0.4), read)
+    assert found.box == CUT.box and found.is_photograph
+    (((cut, _), (pixels, square)),) = shown
+    assert pixels is street and square == WHOLE and (cut[:15] == 255).all()
+    found = as_photograph((street, WHOLE), ALL, Finder(None), read)
+    assert found.box == ALL.box and found.is_photograph and len(shown) == 1, "legs alone are nobody"
+    assert as_photograph((street, WHOLE), replace(ALL, figures="several"), Finder(0.4), read)
+    assert len(shown[1]) == 1
 
 
 def test_nobody_is_cut_out_without_a_finder(street):
-    assert as_photograph(street, ALL, None, lambda *_: CUT) is None
+    assert as_photograph((street, WHOLE), ALL, None, lambda *_: CUT) is None
     assert not surely_somebody(street, None)
 
 
@@ -86,13 +108,27 @@ def test_somebody_sure_is_large(street, certainty, sure):
 
 @pytest.mark.parametrize("above", [False, True])
 def test_a_photograph_has_no_design(above):
-    parameter = ReadParameter("a", tuple("abcdefgh"))
-    certainty = MOST_DESIGNED + (0.01 if above else -0.01)
-    shares = np.full(8, (1 - certainty) / 7)
-    shares[3] = certainty
-    design = SeenDesign((parameter,), (shares,))
-    assert design.certainty == pytest.approx(certainty)
-    part = PartReading("upper", 0.9, (), (), (), np.zeros((4, 4), np.float32), design=design)
+    part = (SURE if above else VAGUE)[0]
+    assert part.design.certainty == pytest.approx(MOST_DESIGNED, abs=0.011)
     assert says_no_design(replace(ALL, parts=(part,))) != above
-    assert not says_no_design(ALL), "where nothing is worn nothing is told"
+    assert not says_no_design(replace(ALL, parts=())), "where nothing is worn nothing is told"
     assert not says_no_design(replace(ALL, parts=(replace(part, design=None),)))
+
+
+def test_drawn_people_are_never_cut_out(street):
+    finder = Finder(0.99)
+    assert as_photograph((street, WHOLE), replace(ALL, parts=SURE), finder, lambda *_: CUT) is None
+    assert not finder.looked
+
+
+@pytest.mark.parametrize("sure", [0.7, 0.9])
+@pytest.mark.parametrize("parts", [(), VAGUE, SURE])
+def test_where_nothing_is_seen_of_all_of_it_the_cut_out_tells(street, sure, parts):
+    cut = replace(CUT, parts=parts, figures="none")
+    found = as_photograph(
+        (street, WHOLE), replace(ALL, parts=(), figures="none"), Finder(sure), lambda *_: cut
+    )
+    if parts is VAGUE and sure > SURELY_SOMEBODY:
+        assert found.parts == VAGUE and found.figures == "one" and found.is_photograph
+    else:
+        assert found is None

@@ -11,7 +11,7 @@ from swifttailor.picture_reader.plain_pictures import mostly_one_colour_around
 from swifttailor.picture_reader.reading import PictureReading
 from swifttailor.picture_reader.view import Square
 
-MOST_DESIGNED = 0.235
+MOST_DESIGNED = 0.255
 """Of a photograph the design is read no more surely than this by a network that has learnt to say none."""
 SURELY_SOMEBODY = 0.8
 """How sure it has to be that somebody is there where networks for clothes see nobody, or clothes alone."""
@@ -30,26 +30,35 @@ def surely_somebody(pixels: Pixels, people: Callable[[], PersonFinder] | None) -
 
 
 def as_photograph(
-    pixels: Pixels,
+    whole: tuple[Pixels, Square],
     of_all: PictureReading,
     people: Callable[[], PersonFinder] | None,
-    read: Callable[[Pixels, Square], PictureReading],
+    read: Callable[..., PictureReading],
 ) -> PictureReading | None:
-    """What a photograph of people shows: of the surest of them, cut out; before a plain ground as it is.
+    """What a photograph of people shows: of the surest of them, cut out; before a plain ground as it is, too.
 
     Args:
-        pixels: (h, w, 3).
-        of_all: What is read of all of it.
+        whole: The picture and the square around it.
+        of_all: What is read of that.
         people: Gives what cuts people out.
-        read: Reads a cut-out in a square of it.
+        read: Reads one or more views of the picture, each pixels and a square; the first tells where things
+            are.
 
     Returns:
-        None where nobody can be cut out.
+        None where it is none, or nobody can be cut out.
     """
-    if of_all.figures == "one" and mostly_one_colour_around(pixels):
-        return replace(of_all, is_photograph=True)
+    if of_all.parts and not says_no_design(of_all):
+        return None
+    pixels, _ = whole
     person = people().find(pixels) if people else None
-    if person is None or (of_all.figures == "none" and person.certainty < SURELY_SOMEBODY):
+    if of_all.parts and of_all.figures == "one" and mostly_one_colour_around(pixels):
+        read_of = read(person.cut_out(pixels), whole) if person else of_all
+        return replace(read_of, figures="one", is_photograph=True)
+    unseen = not of_all.parts or of_all.figures == "none"
+    if person is None or (unseen and person.certainty < SURELY_SOMEBODY):
+        return None
+    shown = read(person.cut_out(pixels))
+    if not of_all.parts and not says_no_design(shown):
         return None
     figures = "several" if of_all.figures == "several" else "one"
-    return replace(read(*person.cut_out(pixels)), figures=figures, is_photograph=True)
+    return replace(shown, figures=figures, is_photograph=True)

@@ -231,12 +231,11 @@ class PictureReader:
             return replace(self.laid().read(pixels), is_laid=True)
         is_photograph = False
         if nearer is self and self.shop is not None:
-            read = self.shop().at_frames(pixels, whole, first)
-            vague = says_no_design(read)
-            is_photograph = vague and read.figures != "none"
-            read = as_photograph(pixels, read, self.people, self._of_a_cut_out) if vague else None
+            of_all = self.shop().at_frames((pixels, whole))
+            read = as_photograph((pixels, whole), of_all, self.people, self.shop().at_frames)
             if read is not None:
                 return read
+            is_photograph = says_no_design(of_all) and of_all.figures != "none"
         if nearer is self:
             whole, first = self._searched(pixels, whole, first)
         seen: dict[int, tuple[Square, dict[str, Any]]] = {}
@@ -254,21 +253,17 @@ class PictureReader:
         read = self._reading(first, whole, seen, (height, width), nearer.parameters)
         return replace(read, is_plain=nearer is not self, is_photograph=is_photograph)
 
-    def _of_a_cut_out(self, cut: Pixels, square: Square) -> PictureReading:
-        assert self.shop is not None
-        return self.shop().at_frames(cut, square, self._look(cut, square, None))
-
-    def at_frames(self, pixels: Pixels, whole: Square, located: dict[str, Any]) -> PictureReading:
-        """What is seen at three frames of a picture that somebody fills.
+    def at_frames(self, *views: tuple[Pixels, Square]) -> PictureReading:
+        """What is seen at three frames of each of some views of one picture, which somebody fills.
 
         Args:
-            pixels: The picture.
-            whole: A square of it.
-            located: A look at that by a network that has learnt where garments are.
+            views: Pixels of all of the picture, and a square of it. The first tells where things are.
         """
-        first, *others = (self._look(pixels, scaled(whole, scale), None) for scale in _SHOP_SCALES)
-        answers = {name: np.mean([first[name], *(o[name] for o in others)], axis=0) for name in first}
-        answers |= {name: first[name] for name in _OF_A_FRAME}
+        frames = [(pixels, scaled(square, scale)) for pixels, square in views for scale in _SHOP_SCALES]
+        looks = [self._look(pixels, square, None) for pixels, square in frames]
+        answers = {name: np.mean([look[name] for look in looks], axis=0) for name in looks[0]}
+        answers |= {name: looks[0][name] for name in _OF_A_FRAME}
+        pixels, whole = views[0]
         seen = dict.fromkeys(parts_present(answers), (whole, answers))
         return self._reading(answers, whole, seen, pixels.shape[:2], self.parameters)
 
