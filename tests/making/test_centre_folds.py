@@ -41,6 +41,8 @@ def test_every_seam_keeps_its_lengths_and_its_place(shipped_patterns):
     for pattern in shipped_patterns.values():
         pattern = pattern.canonical()
         folded = fold_centres(pattern, front=True, back=True)
+        if folded == pattern:  # the same as other tests of cutting plans look at
+            continue
         joined += len(pattern.panels) - len(folded.panels)
 
         def lengths(p):
