@@ -189,10 +189,10 @@ def test_behind_an_edge_more_or_less_the_edges_find_theirs(insert):
 
 
 def test_whatever_is_written_there_is_an_answer():
-    """Any other pattern may be written for a pattern."""
+    """Any other pattern may be written for a pattern: each for every fifth, and every fifth for each."""
     sequences = [encode(draft(name)) for name in NAMES]
-    for old in sequences:
-        for new in sequences:
+    for first, old in enumerate(sequences):
+        for new in sequences[first % 5 :: 5]:
             walk = Counterparts(old)
             for token, numbers in zip(new.tokens.tolist(), new.numbers, strict=True):
                 counterpart = walk.next()
