@@ -12,7 +12,7 @@ from swifttailor.body.weight import kilograms, waist_of_weight
 from swifttailor.errors import InputError
 
 
-@settings(max_examples=12, deadline=None)
+@settings(max_examples=8, deadline=None)
 @given(
     st.dictionaries(st.sampled_from(["bust", "waist", "hips", "height"]), st.floats(20.0, 400.0), min_size=1),
     st.sampled_from([None, "women", "men"]),

@@ -24,8 +24,8 @@ LAYERS = {1, 2, 3, 4, 7, 8, 13, 14, 15, 84, 85, 87}
 
 
 def test_all_pieces_are_read_back_by_both_readers(plans):
-    for name, plan in list(plans.items())[::6]:
-        assert dxf_error(plan) < 0.05, name
+    for name in list(plans)[::12]:
+        assert dxf_error(plans[name]) < 0.05, name
 
 
 def test_layers_and_texts_are_those_of_the_standard(shipped_plans):

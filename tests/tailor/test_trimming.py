@@ -243,7 +243,7 @@ WORDS = sorted({
 })  # fmt: skip
 
 
-@settings(max_examples=25, deadline=None, derandomize=True)
+@settings(max_examples=15, deadline=None, derandomize=True)
 @given(
     st.sampled_from(["a shirt", "a coat", "trousers", "a shirt dress", "a hoodie"]),
     st.lists(st.sampled_from(WORDS), min_size=2, max_size=4, unique=True),
