@@ -4,8 +4,8 @@
 
 Of photographs of people (folders as docs/picture-reader.md has them) and of drawn people the share that is
 taken for a photograph; and where MASKS has a picture of the same name, white where somebody is, intersection
-over union of that with who is cut out. Drawn ones are seen from the front, in studios, as people, and in looks
-that no training draws, ``--count`` each.
+over union of that with who is cut out. Drawn ones are seen from the front, in studios, as people, and in
+looks that no training draws, ``--count`` each.
 """
 
 from __future__ import annotations
@@ -58,11 +58,10 @@ def main() -> None:
         wardrobe = Wardrobe(bank)
         numbers = [int(k) for k in np.linspace(0, len(bank) - 1, min(options.count, len(bank)))]
         for look in LOOKS:
-            chances = [(k, np.random.default_rng([5, k])) for k in numbers]
-            taken = [
-                _told(reader, draw(wardrobe, k, look, "front", chance, PIXELS).pixels)
-                for k, chance in chances
-            ]
+            taken = []
+            for k in numbers:
+                scene = draw(wardrobe, k, look, "front", np.random.default_rng([5, k]), PIXELS)
+                taken.append(_told(reader, scene.pixels))
             sys.stdout.write(f"{folder}, {look}: {sum(taken)} of {len(taken)} are taken for photographs\n")
 
 
