@@ -69,6 +69,8 @@ def row_of(seen: SeenPicture, part: str | None, made: Tailored | SwiftTailorErro
     wanted = made.answer.wanted
     assert wanted is not None
     lines = [f"{wish_line(w.change)} ({w.certainty:.0%})" for w in wanted.seen][:_MOST_LINES]
+    if wanted.worded:
+        lines = ["put into words:", *(wish_line(wish.change) for wish in wanted.worded)]
     pen.multiline_text((left, 10), "\n".join([f"{part}, {made.report['panels']} panels", *lines]), _INK, font)
     return row
 

@@ -29,7 +29,7 @@ def worn(certainty):
     shares = np.full(8, (1 - certainty) / 7)
     shares[3] = certainty
     design = SeenDesign((ReadParameter("a", tuple("abcdefgh")),), (shares,))
-    return (PartReading("upper", 0.9, (), (), (), np.zeros((4, 4), np.float32), design=design),)
+    return (PartReading("upper", 0.9, (), (), (), np.full((90, 80), 0.8, np.float32), design=design),)
 
 
 VAGUE, SURE = worn(MOST_DESIGNED - 0.01), worn(MOST_DESIGNED + 0.01)
@@ -75,6 +75,8 @@ def test_people_are_cut_out_of_streets(street, figures, sure):
     assert top < 20 and 60 < top + side and left < 30 and 50 < left + side
     assert found.box == CUT.box and found.is_photograph
     assert found.figures == ("several" if figures == "several" else "one")
+    (part,) = found.parts
+    assert np.allclose(part.mask[20:60, 30:50], 0.8) and part.mask.sum() == pytest.approx(0.8 * 40 * 20)
 
 
 def test_before_a_plain_ground_people_are_read_as_they_are_too(street):
@@ -129,6 +131,6 @@ def test_where_nothing_is_seen_of_all_of_it_the_cut_out_tells(street, sure, part
         (street, WHOLE), replace(ALL, parts=(), figures="none"), Finder(sure), lambda *_: cut
     )
     if parts is VAGUE and sure > SURELY_SOMEBODY:
-        assert found.parts == VAGUE and found.figures == "one" and found.is_photograph
+        assert found.parts[0].design is VAGUE[0].design and found.figures == "one" and found.is_photograph
     else:
         assert found is None

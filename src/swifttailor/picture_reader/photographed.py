@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from swifttailor.arrays import Pixels
-from swifttailor.picture_reader.person_finder import PersonFinder
+from swifttailor.picture_reader.person_finder import Person, PersonFinder
 from swifttailor.picture_reader.plain_pictures import mostly_one_colour_around
 from swifttailor.picture_reader.reading import PictureReading
 from swifttailor.picture_reader.view import Square
@@ -52,8 +52,8 @@ def as_photograph(
     pixels, _ = whole
     person = people().find(pixels) if people else None
     if of_all.parts and of_all.figures == "one" and mostly_one_colour_around(pixels):
-        read_of = read(person.cut_out(pixels), whole) if person else of_all
-        return replace(read_of, figures="one", is_photograph=True)
+        shown = _within(read(person.cut_out(pixels), whole), person) if person else of_all
+        return replace(shown, figures="one", is_photograph=True)
     unseen = not of_all.parts or of_all.figures == "none"
     if person is None or (unseen and person.certainty < SURELY_SOMEBODY):
         return None
@@ -61,4 +61,9 @@ def as_photograph(
     if not of_all.parts and not says_no_design(shown):
         return None
     figures = "several" if of_all.figures == "several" else "one"
-    return replace(shown, figures=figures, is_photograph=True)
+    return replace(_within(shown, person), figures=figures, is_photograph=True)
+
+
+def _within(read: PictureReading, person: Person) -> PictureReading:
+    """What is worn is nowhere but where somebody is."""
+    return replace(read, parts=tuple(replace(part, mask=part.mask * person.mask) for part in read.parts))
