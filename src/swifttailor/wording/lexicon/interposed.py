@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 
 from swifttailor.wording.lexicon.tokens import Token
@@ -19,6 +20,8 @@ _TOGETHER = ("space", "hyphen")
 _LONGEST = 3
 """Words of a name before its noun, at most."""
 _DRESS, _SKIRT = "dress", "skirt"
+_OWNED = re.compile(r"(?:'s|s')$")
+"""Of words for wearers: "a girl's red dress" is a red dress for a girl."""
 _OF = frozenset(["de", "du", "des", "d'", "da", "do", "di", "della", "a", "à", "con", "com", "en", "in"])
 """What joins a noun and what tells of it in Romance languages."""
 _WITHIN, _BEHIND = 2, 4
@@ -70,6 +73,8 @@ def colors_first(tokens: Sequence[Token], known: Vocabulary) -> list[Token]:
             if any(token.gap not in _TOGETHER for token in moved[begin : spans[0]]):
                 continue
             if _names(known.find(before[-1:])) or _names(known.find([*colored, noun])):
+                continue
+            if _is_color(moved[begin : spans[0]], known) or any(_OWNED.search(word) for word in before):
                 continue
             if _names(known.find([*before, noun])) and _names(known.find([noun])):
                 color = moved[k : spans[0]]

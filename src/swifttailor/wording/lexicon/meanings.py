@@ -158,6 +158,8 @@ _LITTLE = frozenset(
 """Parts that may be of any size on a garment of any size."""
 _BIG = frozenset("big huge giant enormous massive gigantic ginormous oversized oversize".split())
 _AT_NECKS = frozenset({"collar", "neckline", "hood"})
+_WITH = frozenset("with mit avec con col com".split())
+"""Before what is put on a garment in other languages: "felpa oversize col cappuccio" is a large one."""
 
 
 def _kinds(chosen: Sequence[tuple[Sense, ...]], garments: Sequence[int], kind: str | None) -> frozenset[str]:
@@ -293,6 +295,8 @@ def _is_put_on(words: Sequence[Meaning], k: int) -> bool:
     word = words[k]
     ends = k + 1 == len(words) or word.found.gap in ("pause", "stop") or words[k + 1].category == "function"
     if word.category != "styles" or not ends or word.found.word.endswith(("ed", "y")):
+        return False
+    if word.found.word.split()[0] in _WITH:
         return False
     collared = any(claim.name == "collar" for entry in word.entries for claim in entry.claims("certain"))
     trimmed = any(entry.cannot and not entry.implied for entry in word.entries)

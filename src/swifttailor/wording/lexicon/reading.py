@@ -171,7 +171,10 @@ def _reading(text: str, language: Language, kind: str | None, dialect: Dialect |
             implied += [one for one in _implied(word, mark) if word.role != "like" or _has_place(one, kinds)]
     implied = with_covered_shoulders(_with_its_collar(_exact_lengths(implied, language)), never, marks)
     # "Tight on top, but not like a ballgown" is tight on top.
-    of_names &= {i.claim for i in implied if i.said}
+    asked = frozenset().union(*(_kinds_of(mark, language) for mark in marks if not mark.denied))
+    of_names &= {i.claim for i in implied if i.said and i.claim.name != "kind"} | {
+        Claim("kind", kind) for kind in asked
+    }
     never = [claim for claim in never if claim not in of_names]
     named = _names_mean(marks)  # "a mini skirt, but not too short" is still a mini skirt
     never = [claim for claim in dict.fromkeys(never) if claim not in named]
@@ -241,6 +244,15 @@ def _implied(word: Meaning, mark: WordMark) -> list[Implication]:
                 certainty = "likely" if certainty == "likely" or word.guessed else "usual"
             found.append(Implication(each.claim, certainty, said, mark))
     return found
+
+
+def _kinds_of(mark: WordMark, language: Language) -> frozenset[str]:
+    """The kinds of a garment that a word is, or that ends the name of a style: "one-sleeved dress"."""
+    entries = list(mark.entries)
+    if " " in mark.word:
+        entries += [sense.entry for sense in vocabulary(language).find(mark.word.split()[-1:])]
+    named = [entry.kinds for entry in entries if entry.category == "garments"]
+    return frozenset().union(*named)
 
 
 def _names_mean(marks: Sequence[WordMark]) -> frozenset[Claim]:
