@@ -13,7 +13,7 @@ from swifttailor.picture_reader.person_finder import (
     SHIPPED,
     PersonFinder,
     largest_piece,
-    on_white,
+    before_white,
     square_around,
 )
 
@@ -96,7 +96,7 @@ def test_only_small_pieces_are_left_away():
 
 def test_what_is_surely_shown_stays_and_the_rest_is_white():
     pixels = np.full((1, 3, 3), 100, np.uint8)
-    shown = on_white(pixels, np.array([[0.95, 0.5, 0.05]], np.float32))
+    shown = before_white(pixels, np.array([[0.95, 0.5, 0.05]], np.float32))
     assert shown[0, :, 0].tolist() == [100, 178, 255]
 
 

@@ -67,7 +67,7 @@ class Person:
 
     def cut_out(self, pixels: Pixels) -> tuple[Pixels, Square]:
         """The picture (h, w, 3) with nothing but white around them, and a square that they fill."""
-        return on_white(pixels, self.mask), square_around(self.mask)
+        return before_white(pixels, self.mask), square_around(self.mask)
 
 
 @dataclass(frozen=True, eq=False)
@@ -145,7 +145,7 @@ class PersonFinder:
         return float(scores[best]), (round(x - new / 2), round(y - new / 2), new)
 
 
-def on_white(pixels: Pixels, mask: NDArray[np.float32]) -> Pixels:
+def before_white(pixels: Pixels, mask: NDArray[np.float32]) -> Pixels:
     """(h, w, 3): what a mask (h, w) shows of a picture, before white."""
     cover = np.clip((mask - _SHOWN) / _EDGE + 0.5, 0, 1)[:, :, None]
     return np.round(cover * pixels + (1 - cover) * 255).astype(np.uint8)
