@@ -12,8 +12,8 @@ from swifttailor.errors import InputError
 from swifttailor.picture_reader.person_finder import (
     SHIPPED,
     PersonFinder,
-    largest_piece,
     before_white,
+    largest_piece,
     square_around,
 )
 
