@@ -36,6 +36,11 @@ VAGUE, SURE = worn(MOST_DESIGNED - 0.01), worn(MOST_DESIGNED + 0.01)
 ALL, CUT = (PictureReading(VAGUE, CAMERA, (0, 0, side, side)) for side in (90, 45))
 
 
+def below(square):
+    """The row below it."""
+    return square[1] + square[2]
+
+
 class Finder:
     """Finds somebody who is so sure; nobody where that is None."""
 
@@ -49,7 +54,7 @@ class Finder:
         self.looked.append(small)
         mask = np.zeros(pixels.shape[:2], np.float32)
         mask[20:60, 30:50] = 1
-        return None if self.certainty is None else Person(self.certainty, mask)
+        return None if self.certainty is None else Person(self.certainty, mask, (40.0, 42.0), 20.0)
 
 
 @pytest.fixture
@@ -62,8 +67,13 @@ def street():
 def test_people_are_cut_out_of_streets(street, figures, sure):
     shown = []
 
-    def read(*views):
+    def read(*views, chest, legs):
         shown.extend(views)
+        (of_chest, chest_square), ((legs_alone, legs_square), (with_rest, same)) = chest, legs
+        assert of_chest is with_rest is views[0][0] and same == legs_square
+        assert below(chest_square) == 38 and chest_square[1] <= 20
+        assert 30 < legs_square[1] < 36 and below(legs_square) >= 60
+        assert (legs_alone[:35] == 255).all() and (legs_alone[35:60, 30:50] == street[35:60, 30:50]).all()
         return replace(CUT, figures="none")
 
     found = as_photograph((street, WHOLE), replace(ALL, figures=figures), Finder(sure), read)
@@ -83,7 +93,8 @@ def test_before_a_plain_ground_people_are_read_as_they_are_too(street):
     street[:, :25] = street[:15] = 255
     shown = []
 
-    def read(*views):
+    def read(*views, chest, legs=()):
+        assert chest[0] is views[0][0] and below(chest[1]) == 38 and bool(legs) == (len(views) == 1)
         shown.append(views)
         return CUT
 
@@ -98,7 +109,7 @@ def test_before_a_plain_ground_people_are_read_as_they_are_too(street):
 
 
 def test_nobody_is_cut_out_without_a_finder(street):
-    assert as_photograph((street, WHOLE), ALL, None, lambda *_: CUT) is None
+    assert as_photograph((street, WHOLE), ALL, None, lambda *_, **__: CUT) is None
     assert not surely_somebody(street, None)
 
 
@@ -119,7 +130,7 @@ def test_a_photograph_has_no_design(above):
 
 def test_drawn_people_are_never_cut_out(street):
     finder = Finder(0.99)
-    assert as_photograph((street, WHOLE), replace(ALL, parts=SURE), finder, lambda *_: CUT) is None
+    assert as_photograph((street, WHOLE), replace(ALL, parts=SURE), finder, lambda *_, **__: CUT) is None
     assert not finder.looked
 
 
@@ -128,7 +139,7 @@ def test_drawn_people_are_never_cut_out(street):
 def test_where_nothing_is_seen_of_all_of_it_the_cut_out_tells(street, sure, parts):
     cut = replace(CUT, parts=parts, figures="none")
     found = as_photograph(
-        (street, WHOLE), replace(ALL, parts=(), figures="none"), Finder(sure), lambda *_: cut
+        (street, WHOLE), replace(ALL, parts=(), figures="none"), Finder(sure), lambda *_, **__: cut
     )
     if parts is VAGUE and sure > SURELY_SOMEBODY:
         assert found.parts[0].design is VAGUE[0].design and found.figures == "one" and found.is_photograph

@@ -376,7 +376,11 @@ def test_what_somebody_wears_is_not_laid(somebody):
 
     class Finder:
         def find(self, pixels, small):
-            return None if somebody is None else Person(somebody, np.ones(pixels.shape[:2], np.float32))
+            return (
+                None
+                if somebody is None
+                else Person(somebody, np.ones(pixels.shape[:2], np.float32), (0.0, 0.0), 1.0)
+            )
 
     laid = PictureReader(Wearing(3.0), 64, said, {})
     reader = PictureReader(Wearing(1.0), 64, said, {}, laid=lambda: laid, people=Finder)

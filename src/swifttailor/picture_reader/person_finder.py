@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from swifttailor.arrays import Pixels
 from swifttailor.networks.model_file import ModelKind, open_model
 from swifttailor.picture_reader.cut_square import cut_square
+from swifttailor.picture_reader.person_halves import View, chest_of, legs_of
 from swifttailor.picture_reader.said import share_of
 from swifttailor.picture_reader.squares import halves, mask_of
 from swifttailor.picture_reader.view import Square
@@ -64,10 +65,22 @@ class Person:
     """That somebody is there."""
     mask: NDArray[np.float32]
     """(h, w) how surely each pixel shows them, 0 to 1; more than 0.5 somewhere."""
+    hips: tuple[float, float]
+    """x and y of the middle of their hips, pixels; where they are beyond the picture, outside of it."""
+    reach: float
+    """From there to the farthest point of them, pixels."""
 
-    def cut_out(self, pixels: Pixels) -> tuple[Pixels, Square]:
+    def cut_out(self, pixels: Pixels) -> View:
         """The picture (h, w, 3) with nothing but white around them, and a square that they fill."""
         return before_white(pixels, self.mask), square_around(self.mask)
+
+    def chest(self, cut_out: Pixels) -> View | None:
+        """A view from the head to above the hips of what `cut_out` gives; None where hardly any is there."""
+        return chest_of(cut_out, self.mask > _SHOWN, self.hips, self.reach)
+
+    def legs(self, cut_out: Pixels) -> tuple[View, ...]:
+        """Views from the waist down of what `cut_out` gives; none where no legs are seen."""
+        return legs_of(cut_out, self.mask > _SHOWN, self.hips, self.reach)
 
 
 @dataclass(frozen=True, eq=False)
@@ -125,7 +138,10 @@ class PersonFinder:
         answers = self.cutter.run(list(CUT[1]), {"pictures": _batch(pixels, square, _CUT)})
         certain = min(certain, float(answers[1].ravel()[0]))
         mask = largest_piece(mask_of(share_of(answers[0][0, 0]), square, (height, width)))
-        return None if certain < LEAST_SURE or mask is None else Person(certain, mask)
+        if certain < LEAST_SURE or mask is None:
+            return None
+        left, top, side = square
+        return Person(certain, mask, (left + side / 2, top + side / 2), side / 2 / _AROUND)
 
     def _detected(self, pixels: Pixels, square: Square) -> tuple[float, Square] | None:
         """How sure the surest person in a square is, and a square around all of that person."""

@@ -42,7 +42,7 @@ def as_photograph(
         of_all: What is read of that.
         people: Gives what cuts people out.
         read: Reads one or more views of the picture, each pixels and a square; the first tells where things
-            are.
+            are. `chest` and `legs` are looked at from nearer.
 
     Returns:
         None where it is none, or nobody can be cut out.
@@ -52,12 +52,16 @@ def as_photograph(
     pixels, _ = whole
     person = people().find(pixels) if people else None
     if of_all.parts and of_all.figures == "one" and mostly_one_colour_around(pixels):
-        shown = _within(read(person.cut_out(pixels), whole), person) if person else of_all
+        if person is None:
+            return replace(of_all, is_photograph=True)
+        cut = person.cut_out(pixels)
+        shown = _within(read(cut, whole, chest=person.chest(cut[0])), person)
         return replace(shown, figures="one", is_photograph=True)
     unseen = not of_all.parts or of_all.figures == "none"
     if person is None or (unseen and person.certainty < SURELY_SOMEBODY):
         return None
-    shown = read(person.cut_out(pixels))
+    cut = person.cut_out(pixels)
+    shown = read(cut, chest=person.chest(cut[0]), legs=person.legs(cut[0]))
     if not of_all.parts and not says_no_design(shown):
         return None
     figures = "several" if of_all.figures == "several" else "one"

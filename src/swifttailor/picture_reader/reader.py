@@ -28,6 +28,7 @@ from swifttailor.picture_reader.labels import (
 from swifttailor.picture_reader.panel_kinds import PANEL_KINDS
 from swifttailor.picture_reader.people_wear import as_people_wear
 from swifttailor.picture_reader.person_finder import PersonFinder
+from swifttailor.picture_reader.person_halves import View, mean_of, with_legs, with_neck
 from swifttailor.picture_reader.photographed import as_photograph, says_no_design, surely_somebody
 from swifttailor.picture_reader.plain_pictures import one_colour_around
 from swifttailor.picture_reader.reading import (
@@ -118,9 +119,9 @@ class PictureReader:
     laid: Callable[[], PictureReader] | None = None
     """Gives the one that reads garments that nobody wears, laid or hung, in its place."""
     shop: Callable[[], PictureReader] | None = None
-    """Gives the one that tells photographs of people, and reads those before a plain ground in its place."""
+    """Gives the one that tells photographs of people, and reads them in its place."""
     people: Callable[[], PersonFinder] | None = None
-    """Gives what cuts people out of other photographs, so that `shop` reads these, too."""
+    """Gives what cuts people out of their photographs."""
     parameters: tuple[ReadParameter, ...] = ()
     """Design parameters that it reads."""
     near_designs: bool = False
@@ -145,11 +146,10 @@ class PictureReader:
                 waists and sleeves itself, if it has learnt to.
             plain: Files of the network that reads plain pictures, and of those that look at their details;
                 where `weights` are given and these are not, plain pictures are read like others. They are
-                opened when the first picture comes that may be plain.
+                opened with the first picture that may be plain.
             laid: File of the network that reads garments that nobody wears; where `weights` are given and
                 this is not, they are read like others. It is opened with the first picture that is not plain.
-            shop: File of the network that reads shops' photographs of people; where `weights` are given and
-                this is not, they are read like others. It is opened as that for laid garments is.
+            shop: The same for photographs of people.
             threads: CPU cores for the network.
 
         Raises:
@@ -196,15 +196,8 @@ class PictureReader:
             model.require({"what it says of designs": (model.shape_made(GRAPH, DESIGNS), shape)})
         size = model.shape_given(GRAPH, "pictures")[-1]
         card = model.about.get("card", {})
-        return PictureReader(
-            model.sessions[GRAPH],
-            int(size),
-            scales,
-            card,
-            close_ups,
-            parameters=parameters,
-            near_designs=near_designs,
-        )
+        reader = PictureReader(model.sessions[GRAPH], int(size), scales, card, close_ups)
+        return replace(reader, parameters=parameters, near_designs=near_designs)
 
     def read(self, pixels: Pixels) -> PictureReading:
         """What a picture shows.
@@ -253,19 +246,26 @@ class PictureReader:
         read = self._reading(first, whole, seen, (height, width), nearer.parameters)
         return replace(read, is_plain=nearer is not self, is_photograph=is_photograph)
 
-    def at_frames(self, *views: tuple[Pixels, Square]) -> PictureReading:
+    def at_frames(self, *views: View, chest: View | None = None, legs: Sequence[View] = ()) -> PictureReading:
         """What is seen at three frames of each of some views of one picture, which somebody fills.
 
         Args:
-            views: Pixels of all of the picture, and a square of it. The first tells where things are.
+            views: Pixels of all of it, and a square of it. The first tells where things are.
+            chest: A view of the chest, for the neckline.
+            legs: Views from the waist down; the first tells where things are.
         """
-        frames = [(pixels, scaled(square, scale)) for pixels, square in views for scale in _SHOP_SCALES]
-        looks = [self._look(pixels, square, None) for pixels, square in frames]
-        answers = {name: np.mean([look[name] for look in looks], axis=0) for name in looks[0]}
-        answers |= {name: looks[0][name] for name in _OF_A_FRAME}
         pixels, whole = views[0]
-        seen = dict.fromkeys(parts_present(answers), (whole, answers))
+        answers = self._at_frames(views)
+        if chest is not None:
+            answers = with_neck(answers, self._at_frames((chest,)))
+        seen = with_legs((whole, answers), (legs[0][1], self._at_frames(legs)) if legs else None)
         return self._reading(answers, whole, seen, pixels.shape[:2], self.parameters)
+
+    def _at_frames(self, views: Sequence[View]) -> dict[str, Any]:
+        looks = [
+            self._look(pixels, scaled(square, k), None) for pixels, square in views for k in _SHOP_SCALES
+        ]
+        return mean_of(looks) | {name: looks[0][name] for name in _OF_A_FRAME}
 
     def _searched(
         self, pixels: Pixels, whole: Square, first: dict[str, Any]
