@@ -145,3 +145,18 @@ def test_where_nothing_is_seen_of_all_of_it_the_cut_out_tells(street, sure, part
         assert found.parts[0].design is VAGUE[0].design and found.figures == "one" and found.is_photograph
     else:
         assert found is None
+
+
+@pytest.mark.parametrize("hangs_over", [0.7, 0.95])
+def test_what_hangs_over_trousers_hides_them(street, hangs_over):
+    top, trousers = np.zeros((90, 80), np.float32), np.zeros((90, 80), np.float32)
+    trousers[30:50] = 0.9
+    top[20 : 30 + round(20 * hangs_over)] = 0.9
+    parts = tuple(
+        replace(VAGUE[0], part=name, mask=mask) for name, mask in (("lower", trousers), ("upper", top))
+    )
+    found = as_photograph((street, WHOLE), ALL, Finder(0.9), lambda *_, **__: replace(CUT, parts=parts))
+    lower, upper = (part.mask[20:60, 30:50] > 0.5 for part in found.parts)
+    assert (upper[:, 0].nonzero()[0] == np.arange(10 + round(20 * hangs_over))).all()
+    assert lower[:, 0].nonzero()[0].min() == (24 if hangs_over < 0.9 else 10)
+    assert lower[:, 0].nonzero()[0].max() == 29

@@ -10,7 +10,7 @@ from seeing import Seeing, worn
 from swifttailor.describing import Claim, measure_facts
 from swifttailor.pattern.drafts import draft
 from swifttailor.tailor import Tailor
-from swifttailor.tailor.picture_words import in_words
+from swifttailor.tailor.picture_words import in_words, over_trousers
 from swifttailor.wishes.hearing import hear_description
 from swifttailor.wishes.reader import WishReader
 
@@ -51,6 +51,23 @@ def test_what_was_read_is_said_as_people_ask_for_it(part, said, words, details):
     if details is not None:
         assert in_words(reading, named=True) == details
     assert in_words(reading, frozenset({"neckline"})) == in_words(reading).replace(", V neck", "")
+
+
+@pytest.mark.parametrize(
+    ("sleeves", "below", "words"),
+    [
+        ("long", "trousers", "knee-length coat"),
+        ("long", "skirt", "knee-length dress, long-sleeved"),
+        ("short", "trousers", "knee-length dress, short-sleeved"),
+        ("long", None, "knee-length dress, long-sleeved"),
+    ],
+)
+def test_what_looks_like_a_dress_over_trousers_is_a_coat(sleeves, below, words):
+    said = {"kind": ("dress", 0.8), "sleeves": (sleeves, 0.9), "skirt_hem": ("knee", 0.7)}
+    upper = seen("upper", said)
+    lower = [] if below is None else [seen("lower", {"kind": (below, 0.9)})]
+    assert in_words(upper, over=over_trousers(upper, [upper, *lower])) == words
+    assert not any(over_trousers(one, [one]) for one in (upper, *lower))
 
 
 def test_every_kind_can_be_said_and_is_heard_again():

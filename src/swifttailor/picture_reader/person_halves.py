@@ -32,7 +32,7 @@ _CHEST_SPACE = 1.04
 NECK_SHARE, LEGS_SHARE = 0.5, 0.3
 """How much looks from nearer count, where the looks at somebody whole see the same."""
 _NECK = "neckline", "left_neckline", "right_neckline"
-_BY_PART = "statements", "has", "measures", "panels", "boxes", "designs"
+_BY_PART = "present", "statements", "has", "measures", "panels", "boxes", "designs"
 
 
 def chest_of(
@@ -95,29 +95,29 @@ def with_legs(
     """By number of the part: a square and what is said of what is worn there.
 
     What covers the legs of somebody in a dress is that dress. But a coat to the knees is taken for one, too:
-    trousers below it are another garment.
+    trousers below it are another garment. Where things are is seen better from nearer.
 
     Args:
         whole: A square around somebody, and what is said of it.
         legs: The same from nearer; None where they are not looked at.
     """
-    square, answers = whole
+    _, answers = whole
     seen = dict.fromkeys(parts_present(answers), whole)
     if legs is None:
         return seen
     _, nearer = legs
-    covered = UPPER in seen and _covers_legs(answers) and not _are_trousers(nearer)
+    covered = UPPER in seen and _covers_legs(answers, nearer)
     if covered or LOWER not in parts_present(nearer):
         return seen
     if LOWER not in seen:
         return seen | {LOWER: legs}
-    mean = dict(answers)
+    mean = dict(nearer)
     for name in _BY_PART:
         if name in answers:
-            value = np.array(answers[name], np.float64)
-            value[LOWER] = (1 - LEGS_SHARE) * value[LOWER] + LEGS_SHARE * nearer[name][LOWER]
+            value = np.array(nearer[name], np.float64)
+            value[LOWER] = (1 - LEGS_SHARE) * answers[name][LOWER] + LEGS_SHARE * value[LOWER]
             mean[name] = value
-    return seen | {LOWER: (square, mean)}
+    return seen | {LOWER: (legs[0], mean)}
 
 
 def _kinds(answers: Answers, part: int) -> dict[str, float]:
@@ -125,14 +125,12 @@ def _kinds(answers: Answers, part: int) -> dict[str, float]:
     return {word: float(said[k]) for k, (claim, word) in enumerate(statement_labels()) if claim == "kind"}
 
 
-def _covers_legs(answers: Answers) -> bool:
-    kinds = _kinds(answers, UPPER)
-    return kinds["dress"] + kinds["jumpsuit"] > 0.5
-
-
-def _are_trousers(answers: Answers) -> bool:
-    kinds = _kinds(answers, LOWER)
-    return kinds["trousers"] == max(kinds.values()) and kinds["trousers"] > 0.5
+def _covers_legs(answers: Answers, nearer: Answers) -> bool:
+    """Whether what is worn on the legs belongs to what is worn above them."""
+    kinds, below = _kinds(answers, UPPER), _kinds(nearer, LOWER)
+    are_trousers = below["trousers"] == max(below.values()) and below["trousers"] > 0.5
+    is_coat = are_trousers and kinds["dress"] > kinds["jumpsuit"]
+    return not is_coat and kinds["dress"] + kinds["jumpsuit"] > 0.5
 
 
 def mean_of(looks: Sequence[Answers]) -> Answers:

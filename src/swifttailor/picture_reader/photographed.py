@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 
+import numpy as np
+
 from swifttailor.arrays import Pixels
 from swifttailor.picture_reader.person_finder import Person, PersonFinder
 from swifttailor.picture_reader.plain_pictures import mostly_one_colour_around
@@ -15,6 +17,8 @@ MOST_DESIGNED = 0.255
 """Of a photograph the design is read no more surely than this by a network that has learnt to say none."""
 SURELY_SOMEBODY = 0.8
 """How sure it has to be that somebody is there where networks for clothes see nobody, or clothes alone."""
+_LEAST_LEFT = 0.1
+"""Of where trousers are seen, not counting what hangs over them: where less is left, nothing does."""
 
 
 def says_no_design(read: PictureReading) -> bool:
@@ -69,5 +73,10 @@ def as_photograph(
 
 
 def _within(read: PictureReading, person: Person) -> PictureReading:
-    """What is worn is nowhere but where somebody is."""
-    return replace(read, parts=tuple(replace(part, mask=part.mask * person.mask) for part in read.parts))
+    """What is worn is nowhere but where somebody is, and what hangs over trousers hides them."""
+    masks = {part.part: part.mask * person.mask for part in read.parts}
+    if len(masks) == 2:
+        shown = np.where(masks["upper"] > 0.5, np.float32(0), masks["lower"])
+        if (shown > 0.5).sum() > _LEAST_LEFT * (masks["lower"] > 0.5).sum():
+            masks["lower"] = shown
+    return replace(read, parts=tuple(replace(part, mask=masks[part.part]) for part in read.parts))

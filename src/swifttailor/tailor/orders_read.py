@@ -16,7 +16,7 @@ from swifttailor.render.picture_file import read_picture
 from swifttailor.tailor.looking import ReadsPictures, SeenPicture, look_at, part_wanted, parts_cut_off
 from swifttailor.tailor.order import NO_READER, Order, one_line
 from swifttailor.tailor.picture_color import color_taken
-from swifttailor.tailor.picture_words import in_words
+from swifttailor.tailor.picture_words import in_words, over_trousers
 from swifttailor.tailor.reading import Wanted, facts_of
 from swifttailor.tailor.seen_wishes import not_overruled, seen_wishes
 from swifttailor.wishes.heard import Heard
@@ -120,7 +120,8 @@ def _put_into_words(
 ) -> Wanted:
     """An order whose pictures are photographs, as if their words had been typed beside the text."""
     names = frozenset(w.change.claim.name for w in gone if isinstance(w.change, Gain))
-    words = in_words(part, names, named=named)
+    worn = (other for picture in pictures for other in picture.reading.parts)
+    words = in_words(part, names, named=named, over=over_trousers(part, worn))
     typed = [order.text.strip().rstrip(".,"), words] if named else [words, order.text.strip()]
     heard = _heard(replace(order, text=", ".join(filter(None, typed))), reader)
     notes = (f"The picture was put into words: {words}.", *_left_out(pictures, order))

@@ -7,13 +7,13 @@ these words, as any text's is.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from types import MappingProxyType
 
 from swifttailor.picture_reader.reading import PartReading
 
 _SURE, _RATHER = 0.5, 0.6
-_SHORT = ("cap", "short", "elbow")
+_SHORT, _OF_COATS = ("cap", "short", "elbow"), ("three-quarter", "long", "extra-long")
 _SLEEVES: Mapping[str, str] = MappingProxyType(
     {
         "none": "sleeveless",
@@ -86,13 +86,27 @@ _HEMS: Mapping[str, tuple[str, Mapping[str, str]]] = MappingProxyType(
 """Of kinds of garments on the shoulders: the claim about the hem, and its words."""
 
 
-def in_words(part: PartReading, without: frozenset[str] = frozenset(), *, named: bool = False) -> str:
+def over_trousers(part: PartReading, worn: Iterable[PartReading]) -> bool:
+    """Whether somebody wears trousers as well, beside a garment of all that they wear."""
+    return any(
+        other is not part and _likeliest(other).get("kind") in ("trousers", "shorts") for other in worn
+    )
+
+
+def in_words(
+    part: PartReading,
+    without: frozenset[str] = frozenset(),
+    *,
+    named: bool = False,
+    over: bool = False,
+) -> str:
     """What was read of a garment, as somebody would ask for it: "hoodie, long-sleeved".
 
     Args:
         part: Of which the likeliest words are taken.
         without: Names of claims to say nothing of, since other words do.
         named: Whether other words say which garment it is; only details are told then, which may be none.
+        over: Whether it is worn over trousers: what looks like a dress with sleeves is a coat then.
     """
     said = {name: word for name, word in _likeliest(part).items() if name == "kind" or name not in without}
     kind = said.get("kind", "top" if part.part == "upper" else "trousers")
@@ -105,6 +119,8 @@ def in_words(part: PartReading, without: frozenset[str] = frozenset(), *, named:
         words = [_SKIRT_HEMS.get(said.get("skirt_hem", "")), _SKIRTS.get(said.get("skirt", ""))]
         return _joined(words, "" if named else kind)
     noun, told = _upper_noun(kind, said)
+    if over and kind == "dress" and said.get("sleeves", "long") in _OF_COATS:
+        noun, told = "coat", frozenset({"neckline", "sleeves"})
     hem_name, hems = _HEMS[kind]
     words = [_FITS.get(said.get("fit", "")), hems.get(said.get(hem_name, ""))]
     more = [] if "sleeves" in told and not named else [_SLEEVES.get(said.get("sleeves", ""))]
