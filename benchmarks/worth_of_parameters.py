@@ -23,9 +23,12 @@ from swifttailor.evaluation.patterns.pattern_table import summarize_patterns
 from swifttailor.parameter_reader import ParameterReader
 from swifttailor.parameter_reader.placed_designs import PlacedDesigns
 from swifttailor.pattern import Pattern
-from swifttailor.pattern_library.sought import Sought
 from swifttailor.picture_reader.reader import PictureReader
 from swifttailor.programs import DesignError, make_pattern
+from swifttailor.tailor import Tailor
+from swifttailor.tailor.designed import DesignedCandidate
+from swifttailor.tailor.reading import Wanted
+from swifttailor.tailor.second_reading import SecondReading
 
 Design = dict[str, Any]
 
@@ -37,15 +40,18 @@ def main() -> None:
     parser.add_argument("--look", choices=LOOKS, default="plain")
     parser.add_argument("--view", choices=("front", "back", "free"), default="front")
     parser.add_argument("--limit", type=int, default=141, help="garments, from all over the split")
+    parser.add_argument("--again", action="store_true", help="drafts are drawn and read again first")
     parser.add_argument("--rows", type=int, default=20, help="parameters to show, those worth most first")
     options = parser.parse_args()
-    parameters = ParameterReader.load()
+    parameters, eyes = ParameterReader.load(), PictureReader.load()
     truths = true_designs(options.patterns, parameters)
-    shown = [
-        (pattern, parameters_of(parameters, part), truths[id])
-        for id, pattern, part in read(PictureReader.load(), options)
-        if part is not None and id in truths
-    ]
+    tailor = Tailor(picture_reader=eyes)
+    again = SecondReading(tailor.garment_sewer, eyes) if options.again else None
+    shown = []
+    for pattern, wanted in read(tailor, options):
+        design = None if wanted is None else design_of(parameters, wanted, again)
+        if design is not None and pattern.name in truths:
+            shown.append((pattern, design, truths[pattern.name]))
     patterns = [pattern for pattern, _, _ in shown]
     as_read = means([drafted(said) for _, said, _ in shown], patterns)
     print(describe())
@@ -79,9 +85,10 @@ def true_designs(path: Path, reader: ParameterReader) -> dict[str, Design]:
     }
 
 
-def parameters_of(reader: ParameterReader, part: Any) -> Design:
-    """The likeliest design of what is read."""
-    return next(reader.designs(Sought.of_reading(part), part.design, seed=0))
+def design_of(reader: ParameterReader, wanted: Wanted, second: SecondReading | None) -> Design | None:
+    """The first design of what is read that GarmentCode's rules accept."""
+    made = DesignedCandidate(reader, wanted, 0, second)
+    return dict(made.take(0).design or {}) if len(made) else None
 
 
 def drafted(design: Design) -> Pattern | None:
