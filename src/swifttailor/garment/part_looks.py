@@ -71,6 +71,7 @@ TRIMS_OF_PARTS: Mapping[str, tuple[str, ...]] = {
         "buttons",
         "button placket",
         "polo placket",
+        "waist placket",
         "double-breasted buttons",
         "back buttons",
         "fly",
@@ -79,6 +80,7 @@ TRIMS_OF_PARTS: Mapping[str, tuple[str, ...]] = {
     "pockets": (
         *("chest pocket", "chest pockets", "patch pockets", "welt pockets", "kangaroo pocket", "bib pocket"),
         *("side pockets", "slant pockets", "back pockets", "cargo pockets"),
+        *("front pocket", "lower back pockets", "thigh pocket"),
     ),
     "belt": ("tie belt", "buckle belt"),
     "drawstring": ("drawstring", "neck cord"),

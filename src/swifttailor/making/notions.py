@@ -32,6 +32,9 @@ def notions(plan: CuttingPlan) -> list[str]:
     if any(trim.trim == "elastic waist" for trim in plan.trims):
         length = 5 * math.ceil(waist_girth(plan.sewn.pattern) / 5)
         lines.append(f"elastic of {length} cm, a little narrower than the waistband")
+    if any(trim.trim == "back elastic" for trim in plan.trims):
+        length = 5 * math.ceil(0.375 * waist_girth(plan.sewn.pattern) / 5)
+        lines.append(f"elastic of {length} cm, a little narrower than the waistband")
     stiff = [piece.name for piece in plan.pieces if "interfacing" in piece.cloth]
     if stiff:
         lines.append(f"interfacing for: {', '.join(stiff)}")

@@ -42,7 +42,7 @@ def stays_open(plan: CuttingPlan, role: SeamRole) -> list[str]:
         return _open_front(plan, plan.closing)
     names = {trim.trim for trim in plan.trims}
     partly = {
-        SeamRole.CENTRE_FRONT: ("half zip", "polo placket"),
+        SeamRole.CENTRE_FRONT: ("half zip", "polo placket", "waist placket"),
         SeamRole.CENTRE_BACK: ("back zip", "back ties", "back buttons", "back lacing"),
     }
     for name in ("side zip", "side pockets"):
@@ -244,6 +244,12 @@ def _waist(plan: CuttingPlan) -> Iterator[TrimStep]:
         text = (
             "Leave a gap in the inner edge of the waistband, draw elastic as long as the waist less 5 cm "
             "through it, sew its ends together, and close the gap. Stretch the band while you sew its rows."
+        )
+        yield TrimStep(_CLOSE - 2, "Elastic", (text,))
+    if "back elastic" in names:
+        text = (
+            "Lay elastic three quarters as long as the back of the waistband inside it, sew its ends to the "
+            "side seams, and stretch it while you sew its row."
         )
         yield TrimStep(_CLOSE - 2, "Elastic", (text,))
     if "drawstring" in names:

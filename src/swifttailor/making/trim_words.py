@@ -14,16 +14,19 @@ POCKETS: Mapping[str, str] = {
     "chest pockets": "breast pocket",
     "patch pockets": "patch pocket",
     "kangaroo pocket": "kangaroo pocket",
+    "front pocket": "front pocket",
+    "lower back pockets": "back pocket",
     "bib pocket": "bib pocket",
     "back pockets": "back pocket",
     "cargo pockets": "cargo pocket",
+    "thigh pocket": "thigh pocket",
 }
 """Pockets that are sewn on, by the trim's name."""
-ACROSS = ("kangaroo pocket", "bib pocket")
+ACROSS = ("kangaroo pocket", "bib pocket", "front pocket", "lower back pockets")
 """Pockets whose halves meet in the middle."""
 OPENINGS = ("side pockets", "slant pockets")
 """Pockets that hang inside."""
-BANDS = ("buttons", "button placket", "polo placket")
+BANDS = ("buttons", "button placket", "polo placket", "waist placket")
 """What has bands along an opening; `buttons` on skirts alone."""
 ZIPS = ("zip", "half zip", "back zip", "side zip")
 _LINES: Mapping[str, str] = {
@@ -37,6 +40,7 @@ _LINES: Mapping[str, str] = {
     "double-breasted buttons": "edge of the upper front",
     "drawstring": "cord",
     "elastic waist": "",
+    "back elastic": "",
     "neck cord": "cord",
     "lacing": "lacing",
     "back lacing": "lacing",

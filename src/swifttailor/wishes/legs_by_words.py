@@ -8,6 +8,7 @@ from dataclasses import replace
 
 from swifttailor.describing.claims import Claim
 from swifttailor.pattern.drafts.draft_names import NamedDraft
+from swifttailor.wishes.trims_by_place import is_elastic_behind
 
 ELASTIC = "elastic"
 """Key of ``cannot.txt``: gathers at the waist stand for it."""
@@ -54,6 +55,10 @@ def legs_as_said(
         never: What it refuses.
     """
     folded = _FOLDED.search(text) is not None
+    if is_elastic_behind(text):  # smooth in front, with darts
+        wanted = [what for what in wanted if what != ELASTIC]
+        if draft.name == "pull-on-trousers":
+            draft = NamedDraft("trousers", tuple([each for each in draft.options if each[0] in _OF_BOTH]))
     if draft.name == "trousers" and (ELASTIC in wanted or folded):
         kept = {name: value for name, value in draft.options if name in _OF_BOTH}
         room = max(_PULLED_ON["hip_ease"], float(kept.get("hip_ease", 0.0)))

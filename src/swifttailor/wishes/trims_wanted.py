@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from swifttailor.describing.claims import Claim
 from swifttailor.describing.differences import Gain
 from swifttailor.pattern.trims.names import LIKE_EACH_OTHER, TRIMS
+from swifttailor.wishes.trims_by_place import is_elastic_behind, trims_by_place
 
 if TYPE_CHECKING:
     from swifttailor.wishes.heard import Heard
@@ -27,7 +28,7 @@ TRIMS_OF: Mapping[str, tuple[str, ...]] = {
     "belt": _BELTS,
     "belt_accessory": _BELTS,
     "drawstring": ("drawstring", "neck cord"),
-    "elastic": ("elastic waist",),
+    "elastic": ("elastic waist", "back elastic"),
     "turn_ups": ("turn-ups",),
     "rolled_sleeves": ("sleeve turn-ups",),
     "french_cuffs": ("sleeve turn-ups",),
@@ -48,6 +49,7 @@ TRIMS_OF: Mapping[str, tuple[str, ...]] = {
     "open_back": ("back ties", "back buttons", "back lacing"),
     "back_lacing": ("back lacing",),
     "asymmetric_closing": ("diagonal closing",),
+    "knee_patches": ("knee patches",),
     "raw_hem": ("rips", *_KNEE_RIPS, "frayed hem"),
 }
 """By key of what cannot be made of panels, which trims can stand for it."""
@@ -77,6 +79,8 @@ _FOR_JACKETS, _TAILORED = frozenset({"cardigan", "turtleneck"}), "blazer"
 _DENIM = "denim"
 _FLOUNCED = Claim("cuffs", "flounce")
 """Frills of the sleeves, where no others are named."""
+_ANY_BIG = "patch pockets"
+"""What "big pockets" are where nothing tells their place."""
 _DETAILS = "styles"
 """The category of entries that name trims themselves."""
 
@@ -112,12 +116,19 @@ def trims_wanted(heard: Heard, draft: str = "", kind: str = "") -> tuple[TrimWis
         if not lack.said and lack.what in _SAID_ALONE and not own and not _is_worn_beside(heard, lack.what):
             can = ()
         said = tuple([name for name in named if name in can])
+        placed = trims_by_place(heard.text, lack.what, kind=kind, draft=draft) if lack.said else ()
+        if placed:
+            others = [name for name in said if name != _ANY_BIG]
+            said = tuple(dict.fromkeys([*[names[0] for names in placed], *others]))
         choices = _usual(lack.what, kind, heard.cloth, draft) if can else ()
+        if lack.what == "elastic" and is_elastic_behind(heard.text):
+            choices = (("back elastic",), *choices)
         if choices and lack.what == "frills" and _FLOUNCED in _claims(heard):
             choices = (("sleeve frills",),)
         if said or own:
             alone = sorted(said or own, key=lambda name: name not in own)
-            choices = (said or own, *[(name,) for name in alone], *choices)
+            instead = [(name,) for names in placed for name in names[1:]]
+            choices = (said or own, *[(name,) for name in alone], *instead, *choices)
         if choices:
             found.append(TrimWish(lack.what, lack.said, choices, bool(said)))
     if draft in _RIBBED and not any(wish.what == _RIBS for wish in found) and _is_knitted(heard, draft):

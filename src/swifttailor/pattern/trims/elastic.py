@@ -53,6 +53,15 @@ def waist_elastic(chalk: Chalk, name: str) -> list[Trim]:
     return pieces
 
 
+def back_elastic(chalk: Chalk, name: str) -> list[Trim]:
+    """A row and folds along the back of a waistband, whose front stays smooth."""
+    view = chalk.views.get("wb_back")
+    if view is None or "wb_front" not in chalk.views:
+        return []
+    rows = _rows(chalk, name, view)
+    return [*rows, *_folds_of_band(chalk, name, view)] if rows else []
+
+
 def _at_waist_seam(chalk: Chalk, name: str) -> list[Trim]:
     """Folds on both sides of the seam that joins a gathered skirt to a bodice."""
     skirts: dict[str, float] = {}

@@ -33,6 +33,8 @@ _FLAP_AT, _FLAP = 8.0, 15.0
 """Half the width of the flap of trousers, and how far it reaches down, cm."""
 _POLO, _HALF_ZIP = 14.0, 24.0
 """How far down they reach from the neck, cm."""
+_ABOVE_WAIST = ("polo placket", "waist placket")
+"""Bands that end there at the latest."""
 _ZIP = 0.55
 """Half the width of the teeth, cm."""
 
@@ -80,15 +82,17 @@ def buttons(chalk: Chalk, name: str) -> list[Trim]:
     """One row down the middle, with a band under it or without."""
     seam = _front(chalk)
     if seam is None:
-        return _buttons_of_skirt(chalk, name, chalk.pattern.button_count)
+        return [] if name in _ABOVE_WAIST else _buttons_of_skirt(chalk, name, chalk.pattern.button_count)
     right, left, low, high = seam
     coat = name == "buttons"
     spacing, radius = (_COAT_SPACING, _COAT_BUTTON) if coat else (_SPACING, _BUTTON)
     spacing, radius = spacing * chalk.size, radius * chalk.size
     if name == "polo placket":
         low = max(low, high - _POLO * chalk.size)
+    if name == "waist placket":
+        low = max(low, chalk.waist)
     bottom, top = low + _FROM_HEM, high - _FROM_NECK
-    on_skirt = _skirt_length(chalk) if name != "polo placket" else 0.0
+    on_skirt = 0.0 if name in _ABOVE_WAIST else _skirt_length(chalk)
     heights, radius = _row(bottom, top, spacing, radius, _shared(chalk, top - bottom, on_skirt))
     row = [chalk.button(name, right.panel, (_middle(chalk, right.panel, -1, y), y), radius) for y in heights]
     if not all(row):

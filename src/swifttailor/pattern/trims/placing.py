@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 
 from swifttailor.pattern.pattern import Pattern
 from swifttailor.pattern.trims import (
+    across_middle,
     back_openings,
     belts,
     decorations,
@@ -18,6 +19,7 @@ from swifttailor.pattern.trims import (
 from swifttailor.pattern.trims.boning import boning
 from swifttailor.pattern.trims.chalk import Chalk
 from swifttailor.pattern.trims.diagonal_closing import diagonal_closing
+from swifttailor.pattern.trims.knee_patches import knee_patches
 from swifttailor.pattern.trims.rips import frayed_hem, rips
 from swifttailor.pattern.trims.shapes import Trim
 from swifttailor.pattern.trims.side_stripes import side_stripes, sleeve_stripes
@@ -27,6 +29,7 @@ _PLACES: Mapping[str, Callable[[Chalk, str], list[Trim]]] = {
     "buttons": fastenings.buttons,
     "button placket": fastenings.buttons,
     "polo placket": fastenings.buttons,
+    "waist placket": fastenings.buttons,
     "double-breasted buttons": fastenings.double_breasted,
     "zip": fastenings.front_zip,
     "half zip": fastenings.front_zip,
@@ -38,17 +41,21 @@ _PLACES: Mapping[str, Callable[[Chalk, str], list[Trim]]] = {
     "patch pockets": pockets.patch_pockets,
     "welt pockets": pockets.welt_pockets,
     "kangaroo pocket": pockets.kangaroo,
+    "front pocket": across_middle.front_pocket,
+    "lower back pockets": across_middle.lower_back_pockets,
     "bib pocket": pockets.bib_pocket,
     "side pockets": pockets.side_pockets,
     "slant pockets": pockets.slant_pockets,
     "back pockets": pockets.back_pockets,
     "cargo pockets": pockets.cargo_pockets,
+    "thigh pocket": pockets.thigh_pocket,
     "tie belt": belts.belt,
     "buckle belt": belts.belt,
     "quilting": quilting.quilted,
     "turn-ups": belts.turn_ups,
     "drawstring": belts.drawstring,
     "elastic waist": elastic.waist_elastic,
+    "back elastic": elastic.back_elastic,
     "neck cord": decorations.neck_cord,
     "neck rib": decorations.neck_rib,
     "armhole ribs": decorations.armhole_ribs,
@@ -77,6 +84,7 @@ _PLACES: Mapping[str, Callable[[Chalk, str], list[Trim]]] = {
     "left knee rip": rips,
     "right knee rip": rips,
     "frayed hem": frayed_hem,
+    "knee patches": knee_patches,
     "back ties": back_openings.back_ties,
     "back buttons": back_openings.back_buttons,
     "back lacing": back_openings.back_lacing,

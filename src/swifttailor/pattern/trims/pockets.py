@@ -239,3 +239,18 @@ def cargo_pockets(chalk: Chalk, name: str) -> list[Trim]:
             return []
         pieces += [*found, *flap]
     return pieces
+
+
+def thigh_pocket(chalk: Chalk, name: str) -> list[Trim]:
+    """A flat one on the outside of the left thigh, for what is carried in leggings."""
+    s, view = chalk.size, chalk.views.get("pant_f_l")
+    if view is None:
+        return []
+    height = 16 * s
+    top = max(min(chalk.crotch - 4 * s, view.high - 20 * s), view.low + 3 + height)
+    width = 9.5 * s
+    outer = [chalk.outer(view, top - share * height, 1) for share in (0.0, 0.5, 1.0)]
+    if any(x is None for x in outer) or top > view.high - 10 * s:
+        return []
+    x = min(each for each in outer if each is not None) - width / 2 - 1.0
+    return chalk.pocket(name, view.panel.name, (x, top), width, height)
