@@ -39,7 +39,8 @@ NAMES = (
     "joggers", "polo shirt", "suit", "puffer", "turned-up trousers", "tunic",
     "dirndl", "blouse", "sundress", "vest", "pyjama bottoms", "slip", "suit trousers", "hakama", "cheongsam",
     "hospital gown", "smock", "corset dress",
-    "ripped jeans", "jeans torn at the knees", "jeans torn at the left", "jeans torn at the right",
+    "ripped jeans", "jeans torn at the knees", "dress buttoned to the waist", "cycling jersey", "tabard",
+    "working trousers", "jeans torn at the left", "jeans torn at the right",
     "flapper dress",
 )  # fmt: skip
 

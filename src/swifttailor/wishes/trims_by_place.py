@@ -12,17 +12,17 @@ _ON_THE_BELLY = ("hoodie", "sweatshirt")
 _FAR = 45
 """A place stands at most so many characters behind what lies there."""
 _BACK = (
-    r"(?:back|rear|backside|seat|bum)(?!\w|[ -](?:neck|hem|pockets?|zip))|behind|hinten|am rücken|auf dem rücken"
-    r"|(?:dans le|au) dos|derrière|a la espalda|en la espalda|(?:por )?detrás"
+    r"(?:back|rear|backside|seat|bum)(?!\w|[ -](?:neck|hem|pockets?|zip))|behind"
+    r"|hinten|am rücken|auf dem rücken|(?:dans le|au) dos|derrière|a la espalda|en la espalda|(?:por )?detrás"
 )
 _CHEST = r"(?:chest|breast|heart|brust|poitrine|pecho)(?!\w)"
 _THIGH = (
     r"(?:thighs?|(?:side of the |each |outer |on the |down the )legs?|oberschenkel|cuisses?|muslos?)(?!\w)"
 )
 _LOW = (
-    r"(?:low down|lower down|low on|at (?:the |my )?hips?|on (?:the |my |each )?hips?|(?:at )?hip (?:height|level)"
-    r"|below the waist|under the waist|near the hem|at the bottom|either side|each side|both sides"
-    r"|auf den hüften|unten|sur les hanches|en bas|en las caderas|abajo)(?!\w)"
+    r"(?:low down|lower down|low on|at (?:the |my )?hips?|on (?:the |my |each )?hips?"
+    r"|(?:at )?hip (?:height|level)|below the waist|under the waist|near the hem|at the bottom"
+    r"|(?:either|each|both) sides?|auf den hüften|unten|sur les hanches|en bas|en las caderas|abajo)(?!\w)"
 )
 _SIDES = r"(?:(?:at|in|on) the sides?|side seams?|in den seitennähten|sur les côtés|a los lados)(?!\w)"
 _FRONT = r"(?:front|middle|centre|center|tummy|belly|stomach|vorne|vorn|bauch|devant|ventre|delante)(?!\w)"
@@ -31,9 +31,9 @@ _HIGH = (
     r"|jusqu['’ ]à la poitrine|hasta el pecho)(?!\w)"
 )
 _TO_WAIST = (
-    r"(?:(?:down |only |just |as far as |up )*(?:to|until|till|as far as)|(?:end|stop|finish)(?:s|ing)? (?:at|above))"
-    r" (?:the |my |her )?(?:natural )?waist(?:line)?(?!\w)|(?:on|down) the bodice(?!\w)|bis (?:zur|an die) taille"
-    r"|jusqu['’ ]à la taille|hasta la cintura"
+    r"(?:(?:down |only |just |as far as |up )*(?:to|until|till|as far as)"
+    r"|(?:end|stop|finish)(?:s|ing)? (?:at|above)) (?:the |my |her )?(?:natural )?waist(?:line)?(?!\w)"
+    r"|(?:on|down) the bodice(?!\w)|bis (?:zur|an die) taille|jusqu['’ ]à la taille|hasta la cintura"
 )
 _NOUNS: Mapping[str, str] = {
     "pockets": r"pockets?|taschen?|poches?|bolsillos?",
@@ -50,8 +50,9 @@ _STOP = re.compile(
 )
 _REFUSED = re.compile(r"(?<!\w)(?:no|not|without|never|ohne|keine?|sans|sin)(?: \w+)? ?$", re.IGNORECASE)
 _BEFORE = re.compile(
-    r"(?<!\w)(?:front|cent(?:re|er|ral)|middle) pocket(?!\w)|(?:one|single|a) (?:very )?(?:big|large|wide|huge|giant)"
-    r" (?:square |patch |flat )?pocket(?!\w)(?! (?:on|at) the (?:side|back|thigh|leg|chest|breast))",
+    r"(?<!\w)(?:front|cent(?:re|er|ral)|middle) pocket(?!\w)|(?:one|single|a) (?:very )?"
+    r"(?:big|large|wide|huge|giant) (?:square |patch |flat )?pocket(?!\w)"
+    r"(?! (?:on|at) the (?:side|back|thigh|leg|chest|breast))",
     re.IGNORECASE,
 )
 
@@ -131,7 +132,7 @@ def is_elastic_behind(text: str) -> bool:
 
 
 _HALF = re.compile(
-    r"(?<!\w)(?:part(?:ial|ly|ially)?|half|semi|back|rear)[- ]?(?:elastic\w*)(?!\w)(?! hem)|flat[- ]front(?:ed)?,? "
-    r"elastic(?:ated)? back|elastic(?:ated)? back(?: waist\w*)?(?!\w)",
+    r"(?<!\w)(?:part(?:ial|ly|ially)?|half|semi|back|rear)[- ]?(?:elastic\w*)(?!\w)(?! hem)"
+    r"|flat[- ]front(?:ed)?,? elastic(?:ated)? back|elastic(?:ated)? back(?: waist\w*)?(?!\w)",
     re.IGNORECASE,
 )
