@@ -60,6 +60,11 @@ make the sleeves sheer | | sleeves sheer
 white dress with a back of lace | white | back lace
 a contrast waistband | | waistband contrast
 jumper with leather sleeves | | sleeves other
+vestido de novia con manga larga de encaje y espalda abierta | | sleeves lace
+robe blanche avec manches longues en dentelle | blanche | sleeves lace
+robe rouge à manches longues | rouge |
+vestido de encaje con manga corta | | all lace
+polo top, white with green sleeve bands | white | cuffs green
 robe noire à col blanc | noire | collar blanc
 vestido rojo con mangas negras | rojo | sleeves negras
 felpa grigia oversize col cappuccio | grigia |

@@ -28,6 +28,8 @@ from swifttailor.wording.lexicon.look_words import (
     put_on,
 )
 
+from swifttailor.wording.lexicon.vocabulary import vocabulary
+
 if TYPE_CHECKING:
     from swifttailor.wording.lexicon.reading import WordMark
 
@@ -48,6 +50,8 @@ _LINKS = frozenset(
 )
 """Words between a part and how it looks behind it."""
 _SAYS_SO = frozenset("is are be should must become of ist sind sont est sono zijn aus de di van".split())
+_MADE_OF = frozenset("de en em di".split())
+"""Words before the cloth that something is made of."""
 _ARTICLES = frozenset("a an the its his her my".split())
 _DEFINITE = frozenset("the its his her my".split())
 _NOUN_FIRST: frozenset[Language] = frozenset({"fr", "es", "it", "pt"})
@@ -152,6 +156,8 @@ class _Reader:
     def _before(self, k: int) -> list[tuple[int, str]] | None:
         """Places and parts of the nouns that a look stands before; [] of the garment, None: before none."""
         j = k + 1
+        if self._is_made_of(k):  # "mangas de encaje y espalda abierta"
+            return None
         if self._language in _NOUN_FIRST and (noun := self._right_before(k)) is not None:
             part = self._part(self._marks[noun])
             return [] if part is None else [(noun, part)]
@@ -166,6 +172,11 @@ class _Reader:
                 return [] if category_of(mark) == "generic" else None
             j += 1
         return None
+
+    def _is_made_of(self, k: int) -> bool:
+        """Whether a cloth stands behind "de" or "en" in a language in which it is said of what is before."""
+        before = self._marks[k - 1].word.lower() if k else ""
+        return self._language in _NOUN_FIRST and before in _MADE_OF and bool(own_looks(self._marks[k]))
 
     def _right_before(self, k: int) -> int | None:
         """The noun that a look follows, other looks between: "col blanc"."""
@@ -235,6 +246,8 @@ class _Reader:
             if self._is_apart(j + 1):
                 return []
             mark, word = self._marks[j], self._marks[j].word.lower()
+            if j == k - 2 and self._is_made_of(k) and (part := _part_in_english(mark)) is not None:
+                return [(j, part)]
             if self._is_noun(mark):
                 part = self._part(mark)
                 return [] if part is None or not self._is_said(j, links, k) else self._all_before(j, part)
@@ -263,7 +276,7 @@ class _Reader:
 
     def _is_said(self, j: int, links: Sequence[str], k: int) -> bool:
         """Whether a look behind the part j is its own: that of "a dress with long sleeves in navy" is not."""
-        if set(links) & _SAYS_SO or not self._names_garment or (links == [] and not self._goes_on(j, k)):
+        if set(links) & _SAYS_SO or self._is_made_of(k) or not self._names_garment or (links == [] and not self._goes_on(j, k)):
             return True
         if j and self._marks[j - 1].word.lower().split()[-1] in _DEFINITE:
             return True
@@ -332,6 +345,12 @@ class _Reader:
             not self._is_apart(j)
             and self._text[self._marks[j - 1].end : self._marks[j].start].strip(" -") == ""
         )
+
+
+def _part_in_english(mark: WordMark) -> str | None:
+    """The part that a detail of another language ends with in English: "manga larga", long sleeves."""
+    english = mark.entries[0].english if category_of(mark) == "styles" else None
+    return vocabulary("en").part(english.split()[-1]) if english else None
 
 
 def _color(marks: Sequence[WordMark], k: int) -> NamedColor | None:
