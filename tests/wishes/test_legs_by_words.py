@@ -29,6 +29,13 @@ def test_they_drag(text):
 
 
 @pytest.mark.parametrize(
+    "text", ["wide jeans that touch the floor", "floor length trousers", "trousers that cover my shoes"]
+)
+def test_they_reach_the_floor(text):
+    assert 104.0 < length(legs_as_said(TROUSERS, text, (), ())) < 110.0
+
+
+@pytest.mark.parametrize(
     "text", ["trousers, not too long", "wide trousers with extra long sleeves", "long wide trousers"]
 )
 def test_they_do_not(text):

@@ -146,9 +146,13 @@ def _put_into_words(
 def _heard(order: Order, reader: WishReader) -> Heard:
     """The text of an order, as an instruction where there is a pattern to edit."""
     # Who wears it is heard by `wearing.body_wanted`.
-    rest = hear_wearer(order.words, instruction=order.edit is not None).rest
+    wearer = hear_wearer(order.words, instruction=order.edit is not None)
+    rest = wearer.rest
     if order.edit is None:
-        return hear_description(rest, reader, alone=not order.images)
+        heard = hear_description(rest, reader, alone=not order.images)
+        # What is still told of a body is not refused where there is one for it.
+        lacks = tuple([lack for lack in heard.lacks if wearer.wearer is None or lack.what != "bodies"])
+        return heard if lacks == heard.lacks else replace(heard, lacks=lacks)
     return hear_instruction(rest, reader, facts_of(order.edit))
 
 

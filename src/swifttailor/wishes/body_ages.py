@@ -61,7 +61,7 @@ def _months() -> re.Pattern[str]:
 def _lone() -> re.Pattern[str]:
     """A bare number beside a child: "my son (11)", "my grandson is 3"."""
     return re.compile(
-        rf"(?<!\w){any_of('figures', 'children')}\s*(?:is|ist|[,(])\s*(?P<age>1[0-3]|[1-9])"
+        rf"(?<!\w){any_of('figures', 'children')}\s*(?:is|ist|of|[,(])\s*(?P<age>1[0-3]|[1-9])"
         r"(?=\s*(?:[,.;)!?]|$))",
         re.IGNORECASE,
     )

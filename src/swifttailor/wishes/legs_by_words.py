@@ -31,6 +31,15 @@ _BANDED = ("leggings", "flares", "pull-on-trousers", "joggers", "circle-skirt", 
 _FOLDED_CM = 9.0
 """Height of a band of jersey that is folded down, as it is worn."""
 _DRAGGING_CM = 113.0
+_TO_FLOOR = re.compile(
+    r"(?<!\w)(?:(?:to|reach(?:es|ing)?|touch(?:es|ing)?|skim(?:s|ming)?|brush(?:es|ing)?|graz(?:es|ing|e)"
+    r"|sweep(?:s|ing)?) the (?:floor|ground)|floor[- ](?:length|skimming|sweeping|grazing)"
+    r"|cover(?:s|ing)? (?:my|the) (?:shoes|feet|heels)"
+    r"|bodenlang|bis (?:zum|auf den) boden|jusqu['’ ]au sol|hasta el suelo)(?!\w)",
+    re.IGNORECASE,
+)
+_FLOOR_CM = 107.0
+"""Of legs that reach the floor and do not lie on it."""
 _LONG_CM = 90.0
 """Legs that end above the ankle are not meant."""
 _FULL, _SHORTER_CM = Claim("leg_hem", "full"), 92.0
@@ -73,6 +82,8 @@ def legs_as_said(
     long = float(options.get("length", _LONG_CM)) >= _LONG_CM
     if draft.name in _LONGEST and long and _DRAGS.search(text) and not _NOT_LONG.search(text):
         draft = replace(draft, options=tuple({**options, "length": _DRAGGING_CM}.items()))
+    elif draft.name in _LONGEST and long and _TO_FLOOR.search(text):
+        draft = replace(draft, options=tuple({**options, "length": _FLOOR_CM}.items()))
     elif draft.name in _LONGEST and _FULL in never:
         length = min(_SHORTER_CM, float(options.get("length", _SHORTER_CM)))
         draft = replace(draft, options=tuple({**options, "length": length}.items()))

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 _FIRST = 0xE000
 """Of the letters that stand for hidden words; texts of people have none of these."""
-_OTHERS = r"(?:daughter|son|child(?:ren)?|kid|girl|boy)"
+_OTHERS = r"(?:(?:grand)?(?:daughter|son|child(?:ren)?)|kid|girl|boy)"
 _EVENTS = (
     r"weddings?|graduation|birthday|part(?:y|ies)|christening|baptism|prom|play|school|concert|marriage"
     r"|engagement|recital|match|night|day|weekend|trip|choir|room|game|communion|bar mitzvah|bat mitzvah"
@@ -30,8 +30,8 @@ _HIDDEN = tuple(
             r"(?<![\w-])(?:mean|spice|gossip|golden|gilmore|clean|vsco|cottage|that|e|it|bond|calendar"
             r"|pin[- ]?up|riot|surfer|skater|valley|material|rich|cool)"
             r" ?(?:girls?|boys?)(?='?s?(?!\w))(?! (?:aged?|of|size))",
-            r"(?<![\w-])(?:baby|toddler|child|kid|infant)s? (?:on|at|in|under|strapped to) (?:my|her|the)"
-            r" (?:hips?|arms?|back|chest|lap|shoulders?|breast)(?!\w)",
+            r"(?<![\w-])(?:baby|toddler|child|kid|infant|little one)s? (?:on|at|in|under|strapped to)"
+            r" (?:my|her|the) (?:hips?|arms?|back|chest|lap|shoulders?|breast)(?!\w)",
             # Who is spoken of so, and not as one's own or by an age, is grown: colleagues, a band, friends.
             rf"(?<![\w-])(?:the|all the) (?:girls|boys|lads)(?!\w)(?![^.;]*?{_YOUNG})",
             r"(?<![\w-])(?:land|factory|shop|call|dream|cover|career|party|city) ?girls?(?!\w)",

@@ -18,6 +18,7 @@ from swifttailor.wishes.body_heights import hear_height
 from swifttailor.wishes.body_legs import hear_legs
 from swifttailor.wishes.body_said import SaidBody
 from swifttailor.wishes.body_sizes import hear_size
+from swifttailor.wishes.grown_girls import with_grown_girls
 from swifttailor.wishes.not_the_wearer import hide_others, with_finished_chest
 from swifttailor.wording.lexicon import read_words
 
@@ -31,7 +32,8 @@ CHILD_SIZE = "children EU 128"
 _FIGURES = {
     "women": r"women'?s?|woman'?s?|lad(?:y|ies)'?s?|her|wife|mother|mum|mom|girlfriend",
     "men": r"men'?s?|man'?s?|gent(?:s|lemen|leman)?'?s?|him|husband|father|dad|boyfriend",
-    "children": r"child(?:ren)?'?s?|kid'?s?|girl'?s?|boy'?s?|daughter|son|toddler",
+    "children": r"child(?:ren)?'?s?|kid'?s?|girl'?s?|boy'?s?|daughter|son|toddler|kiddos?"
+    r"|grand(?:son|daughter|child)|(?:my|our|the|her|his) (?:little|wee) ones?",
 }
 _CHILD = rf"(?<![\w-])(?:{_FIGURES['children']})(?![\w-])"
 _GROWN = re.compile(
@@ -87,7 +89,7 @@ def hear_wearer(text: str, *, instruction: bool = False) -> HeardWearer:
         text: Description or instruction.
         instruction: Whether it says what to change, so that girths are the garment's and not the wearer's.
     """
-    text = _with_metric_heights(text)
+    text = with_grown_girls(_with_metric_heights(text))
     hidden = hide_others(text if instruction else with_finished_chest(text))
     text = hidden.text
     said = SaidBody(text)
@@ -256,6 +258,7 @@ _HEIGHTS = [
 """What English says of heights, in this order; each phrase once."""
 _KINDS = [
     _compiled(rf"\bfor\s+(?:an?\s+|my\s+)?(?P<kind>{_TALL_OR})\s+(?:{_ANYBODY})\b", _kind),
+    _compiled(rf"(?:^\W*|\b(?:i['’]?m|i am|as)\s+an?\s+)(?P<kind>{_TALL_OR})\s+(?:{_ANYBODY})\b", _kind),
     _compiled(
         r"(?:\bin\s+)?(?<![\w-])(?P<kind>petite|plus[- ]sized?|curvy)\b(?:\s+(?:figure|woman|women|lady))?",
         _kind,
