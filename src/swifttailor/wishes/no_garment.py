@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from swifttailor.wishes.heard import Heard
-from swifttailor.wording.lexicon import WordMark
+from swifttailor.wishes.other_errands import is_an_errand, is_for_an_animal
+from swifttailor.wording.lexicon import WordMark, WordReading
 from swifttailor.wording.lexicon.inflection import NAMES
 
 _NOT_MADE = "accessories"
@@ -14,6 +15,10 @@ _POLITE = "polite"
 _NO_GARMENT = (
     'No garment is asked for in "{text}". What can be made are tops, dresses, skirts, trousers and garments '
     "in one piece: name one{near}."
+)
+_FOR_ANIMALS = (
+    'Clothes are made for people alone, and "{text}" asks for some for an animal or a doll. Say what a '
+    "person is to wear{near}."
 )
 _WEARER_ALONE = 'Nothing but who wears it is said in "{text}". Say what is to be made, too{near}.'
 _NOTHING_KNOWN = (
@@ -38,6 +43,10 @@ def asks_for_none(heard: Heard, text: str) -> str:
         return _WEARER_ALONE.format(text=quoted, near=_LIKE)
     if words is None:
         return ""
+    if is_for_an_animal(text):
+        return _FOR_ANIMALS.format(text=quoted, near=_LIKE)
+    if is_an_errand(text, names_a_garment=_names_a_garment(words, text)):
+        return _NO_GARMENT.format(text=quoted, near=_LIKE)
     told = bool(words.colors or words.cloths or heard.print or heard.cannot)
     known = [mark for mark in words.marks if _category(mark) not in (None, "function")]
     polite = {_category(mark) for mark in words.marks}
@@ -45,6 +54,8 @@ def asks_for_none(heard: Heard, text: str) -> str:
         # A network guesses of "hello", too.
         return _NO_GARMENT.format(text=quoted, near=_LIKE)
     guessed = bool(heard.sure or heard.likely)
+    if not (told or guessed) and heard.unread and not any(map(_is_of_garments, known)):
+        known = []  # "a refund on this": what is known of it tells nothing of clothes
     if not (told or known or guessed):
         near = f". Names that are spelt alike: {', '.join(heard.near)}" if heard.near else _LIKE
         *first, last = NAMES.values()
@@ -56,8 +67,17 @@ def asks_for_none(heard: Heard, text: str) -> str:
     others = [mark for mark in others if any(w in text.lower() for w in mark.word.lower().split())]
     if named and "household" in {what for e in named[0].entries for what in e.cannot}:
         others = [mark for mark in others if _is_of_garments(mark)]  # "curtains, lined, 2 m long"
-    beside = any(mark.word.lower() in _GO_WITH for mark in words.marks)
+    if named and not guessed and not _names_a_garment(words, text):  # "a necklace with a heart"
+        others = []
+    go_with = _GO_WITH if guessed else _GO_WITH - {"with"}
+    beside = any(mark.word.lower() in go_with for mark in words.marks)
     return _NO_GARMENT.format(text=quoted, near=_LIKE) if named and not others and not beside else ""
+
+
+def _names_a_garment(words: WordReading, text: str) -> bool:
+    """Whether a text itself does; what an occasion stands for is written before it."""
+    named = [mark for mark in words.marks if mark.role == "garment" and not mark.denied]
+    return any(mark.word.lower() in text.lower() for mark in named)
 
 
 def _is_of_garments(mark: WordMark) -> bool:

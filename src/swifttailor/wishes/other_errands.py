@@ -1,0 +1,68 @@
+"""Texts that ask for something else than clothes for people: coats for dogs, refunds, poems."""
+
+from __future__ import annotations
+
+import re
+
+_ANIMALS = (
+    r"(?:dog|doggy|doggie|puppy|pup|cat|kitten|kitty|pet|horse|pony|donkey|rabbit|bunny|hamster|guinea pig"
+    r"|parrot|ferret|tortoise|lamb|dachshund|greyhound|whippet|labrador|labradoodle|poodle|spaniel|terrier"
+    r"|chihuahua|pug|bulldog|collie|beagle|corgi|cockapoo|husky|schnauzer|shih tzu|lurcher|german shepherd"
+    r"|doll|teddy bear)"
+)
+_CLOTHES = (
+    r"(?:(?:rain|winter|fleece|knitted|christmas|halloween) ?)?(?:coat|jumper|sweater|jacket|costume|clothes"
+    r"|clothing|hoodie|raincoat|pyjamas|pajamas|rug|onesie|bandana|harness)s?(?! print)"
+)
+
+
+def _any_of(*patterns: str) -> re.Pattern[str]:
+    return re.compile(rf"(?<![\w-])(?:{'|'.join(patterns)})(?!\w)", re.IGNORECASE)
+
+
+_OF_ANIMALS = _any_of(
+    rf"{_ANIMALS}(?:['’]?s)? {_CLOTHES}",
+    rf"for (?:my |our |the |an? |his |her |your )?(?:[\w'’-]+ ){{0,2}}?{_ANIMALS}s?"
+    r"(?=\s*(?:[.,;:!?()]|$|(?:who|that|which|called|named|with|she|he|and|so)(?!\w)))",
+    r"hunde(?:mantel|pullover|jacke|kleidung)",
+    r"für (?:meinen?|unseren?|den|die|einen?) (?:\w+ )?(?:hund|kater|katze|dackel|pferd)",
+    r"pour (?:(?:mon|ma|un|le|notre) )?(?:petit )?(?:chien|chat|cheval)",
+    r"para (?:(?:mi|un|el|nuestro) )?(?:perr|gat|caball)[oa]",
+)
+_SERVICE = _any_of(
+    r"refund|money back|rückgabe|rückerstattung|remboursement|reembolso",
+    r"(?:return|exchange|send back) (?:this|these|it|them|my|an?|the)(?! (?:favou?r|call))",
+    r"track(?:ing)? (?:my|number)|where(?:['’]s| is| are) my|cancel my",
+    r"(?:my|your|on|about|for|with) order(?: (?:number|no\.?|nr))? ?#?\d{3,}|order #?\d{3,}",
+    r"(?:my|your) (?:order|parcel|delivery) (?:has|hasn|is|was|never|still)|delivery (?:cost|time|to)",
+    r"opening hours|discount code|voucher code|customer service|forgot my password",
+)
+_TALK = _any_of(
+    r"(?:write|compose|sing|recite|draft)(?: me| us)? (?:an? |the )?(?:[\w-]+ )?"
+    r"(?:poem|song|story|essay|letter|e-?mail|haiku|limerick|rap|cv|speech|code|script)",
+    r"tell me (?:an? )?(?:[\w-]+ )?(?:joke|story)|who (?:won|is|was|are|invented)|translate",
+    r"what(?:['’]s| is) the (?:weather|time|capital|meaning|score|answer)",
+    r"how (?:do|old|far|many|are) (?:i|you|is|people)",
+    r"(?:make|cook|bake|order|bring)(?: me| us) (?:an? |some )?"
+    r"(?:sandwich|coffee|tea|cake|pizza|dinner|lunch|breakfast|website)",
+    r"(?:schreib|écris|escribe)\w*(?:-moi)?(?: mir)? (?:ein|un|une) \w+",
+)
+_STORY = 22
+"""Words of a text that may speak of a refund and still wish for a garment."""
+
+
+def is_for_an_animal(text: str) -> bool:
+    """Whether an animal or a doll is to wear it: "a coat for my dachshund"."""
+    return _OF_ANIMALS.search(text) is not None
+
+
+def is_an_errand(text: str, *, names_a_garment: bool) -> bool:
+    """Whether it asks for a service or for talk, and for no garment.
+
+    Args:
+        text: As it was given.
+        names_a_garment: Whether it does; then it is no talk, but may still be about one that was bought.
+    """
+    if len(text.split()) > _STORY:
+        return False
+    return _SERVICE.search(text) is not None or (not names_a_garment and _TALK.search(text) is not None)
