@@ -115,11 +115,12 @@ def _strips(pattern: Pattern, face: str) -> list[_Strip]:
     at = 0.0
     for k, number in enumerate(seen):
         panel = pattern.panels[number]
+        # Several edges where a seam or dart of a bodice ends on a strip.
         edges = [edge for edge in range(len(panel.edges)) if (panel.name, edge) in sewn]
-        if len(edges) != 1:
+        if not edges:
             return []
-        ends = panel.chord(edges[0])
-        first, last = ends[ends[:, 0].argsort()]
+        ends = np.concatenate([panel.chord(edge) for edge in edges])
+        first, last = ends[ends[:, 0].argmin()], ends[ends[:, 0].argmax()]
         shift = (at - first[0], max(first[1], last[1]))
         right = _line(panel, last, shift)
         left = strips[-1].right if strips else _line(panel, first, shift)

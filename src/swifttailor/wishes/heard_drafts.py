@@ -24,6 +24,7 @@ from swifttailor.wishes.loosened_drafts import is_to_be_loose, loosened_as_asked
 from swifttailor.wishes.low_skirts import low_as_asked
 from swifttailor.wishes.opened_drafts import opened_as_asked
 from swifttailor.wishes.oversized_drafts import oversized_as_asked
+from swifttailor.wishes.pleated_dresses import pleats_as_asked
 from swifttailor.wishes.refused_looks import as_not_refused
 from swifttailor.wishes.sailor_collars import asks_for_sailor_collar, with_sailor_collar
 from swifttailor.wishes.straight_edges import straight_as_said
@@ -82,7 +83,8 @@ def drafts_of(heard: Heard) -> tuple[NamedDraft, ...]:
     fitting = [oversized_as_asked(draft, sure) for draft in fitting]
     fitting = [hearted_as_asked(draft, heard.lacks, sure) for draft in fitting]
     if _clings(heard) and not is_to_be_loose(sure):
-        fitting = [clinging_as_asked(draft, sure) for draft in fitting]
+        named = _named_skirts(heard, sure)
+        fitting = [clinging_as_asked(draft, [*sure, *named]) for draft in fitting]
     fitting = [loosened_as_asked(draft, sure) for draft in fitting]
     fitting = [straight_as_said(to_the_legs_as_said(draft, heard.text), heard.text) for draft in fitting]
     fitting = [low_as_asked(draft, sure) for draft in gored_as_said(fitting, heard.text)]
@@ -91,6 +93,7 @@ def drafts_of(heard: Heard) -> tuple[NamedDraft, ...]:
     fitting = [legs_as_said(draft, heard.text, _elastic(heard), heard.never) for draft in fitting]
     fitting = [tiers_as_asked(godets_as_asked(draft, sure), sure) for draft in fitting]
     fitting = [bubble_as_asked(draft, heard.lacks, sure) for draft in fitting]
+    fitting = [pleats_as_asked(draft, heard.lacks, sure) for draft in fitting]
     fitting = [tier_as_said(draft, heard.text) for draft in fitting]
     closed = [closed_as_counted(draft, heard.text) for draft in fitting]
     wanted = {lack.what for lack in heard.lacks if lack.said}
@@ -169,6 +172,13 @@ def _clings(heard: Heard) -> bool:
     stretches = any(STRETCH in entry.cannot for entry in heard.meant)
     ribbed = heard.ribs is not None and heard.cloth != _CORDUROY
     return close and (stretches or ribbed or heard.cloth in _KNITTED)
+
+
+def _named_skirts(heard: Heard, sure: Sequence[Claim]) -> list[Claim]:
+    """The skirt that the name of a dress means, where no more is told of it: that of a tennis dress."""
+    if heard.words is None or any(claim.name in ("skirt", "hips") for claim in sure):
+        return []
+    return [i.claim for i in heard.words.implications if i.claim.name == "skirt" and not i.said]
 
 
 def _elastic(heard: Heard) -> frozenset[str]:

@@ -101,6 +101,16 @@ SkirtGathers = Annotated[
     float,
     Option("Width of a gathered skirt over the waist's; 1 cuts it from a circle.", "times", 1.0, 2.6),
 ]
+SkirtPleats = Annotated[
+    int,
+    Option(
+        "Strips seen between knife pleats of the skirt in front, and as many behind; less than 2: none. "
+        "Not with gathers.",
+        "strips",
+        0,
+        8,
+    ),
+]
 ShortSkirtLength = Annotated[float, Option("Body's waist to the hem, down the middle.", "cm", 28.0, 100.0)]
 CircleFraction = Annotated[
     float, Option("Part of a full circle that the skirt is cut from.", "circles", 0.3, 1.5)

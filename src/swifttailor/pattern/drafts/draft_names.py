@@ -135,6 +135,7 @@ class NamedDraft:
         shown = tuple([key for key in shown if not (closed and key == "open_front")])
         curves = [CURVED_HEM] if dict(self.options).get(HEM_RISE, 0.0) else []
         curves += [PUFFBALL] if dict(self.options).get(HEM_BAND, 0.0) else []
+        curves += [PLEATED] if float(dict(self.options).get(PLEATS, 0.0)) >= _LEAST_PLEATS else []
         return (*shown, *(["open_front"] if opens else ()), *(["stretch"] if stretches else ()), *curves)
 
     @property
@@ -215,6 +216,8 @@ HEM_RISE, CURVED_HEM = "hem_rise", "curved_hem"
 """The option of hems that are curved like a shirt's, and what they are in the lexicon's ``cannot.txt``."""
 HEM_BAND, PUFFBALL = "hem_band", "puffball"
 """The option of gathered hems that are drawn into a band, and what they are in ``cannot.txt``."""
+PLEATS, PLEATED, _LEAST_PLEATS = "pleats", "pleats", 2
+"""The option of pleated skirts of dresses, what it is in ``cannot.txt``, and how many pleats are some."""
 _OF_BUBBLES = (("skirt", "gathered"),)
 HEM_DIP, SCALLOPS, HEM_POINTS = "hem_dip", "scallop_width", "hem_points"
 """The options of hems that are lower behind than in front, that are cut in arcs, and that hang in points."""

@@ -17,6 +17,8 @@ from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Halves
 from swifttailor.pattern.drafts.outline import Outline
 
+LEAST_PLEATS = 2
+"""Strips of a pleated skirt on each side, at least."""
 _INSIDE_CM = 0.3
 """How far inside the strips the cloth between them stands."""
 _LIFT_CM = 2.0
@@ -49,7 +51,7 @@ def lay_pleated_skirt(
 ) -> None:
     """Lays the strips ``skirt_pleat_0_front`` ... and what is folded away, ``skirt_under_1_front`` ...
 
-    Edges: hem, right, top, tuck, left; `sew_pleats_to_band` sews the upper ones.
+    Edges: hem, right, top, tuck, left; `sew_pleats_to_band` or `sew_pleats_to_bodice` sews the upper ones.
 
     Args:
         table: Where they go.
@@ -83,6 +85,16 @@ def sew_pleats_to_band(table: CuttingTable, strips: int) -> None:
     for face in ("front", "back"):
         edges = [f"skirt_pleat_{k}_{face}.top" for k in range(strips)]
         table.seam(f"wb_{face}.bottom", edges if face == "front" else edges[::-1])
+
+
+def sew_pleats_to_bodice(table: CuttingTable, strips: int) -> None:
+    """Sews what is seen of the strips to the waist of both halves of a bodice."""
+    for face, halves in (("front", ("left", "right")), ("back", ("right", "left"))):
+        edges = [f"skirt_pleat_{k}_{face}.top" for k in range(strips)]
+        for edge in edges:
+            table.label(edge, "lower_interface")
+        waists = [f"{half}_{face[0]}torso.waist" for half in halves]
+        table.seam(edges[::-1] if face == "front" else edges, waists)
 
 
 @dataclass(frozen=True)

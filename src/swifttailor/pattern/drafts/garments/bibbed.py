@@ -14,6 +14,8 @@ from swifttailor.pattern.drafts.joins import SKIRT_HALVES, sew_skirt_to_band, se
 from swifttailor.pattern.drafts.measurements import Measurements
 from swifttailor.pattern.drafts.options import Option
 from swifttailor.pattern.drafts.outline import Outline
+from swifttailor.pattern.drafts.pleated_skirt import LEAST_PLEATS, sew_pleats_to_band
+from swifttailor.pattern.drafts.round_skirt import lay_dress_pleats
 from swifttailor.pattern.drafts.trousers import Trousers, lay_trousers, sew_legs
 from swifttailor.pattern.pattern import Pattern
 
@@ -64,6 +66,7 @@ class PinaforeOptions(BibOptions):
     length: declared.SkirtLength = 50.0
     flare: declared.SkirtFlare = 6.0
     hip_ease: declared.HipEase = 6.0
+    pleats: declared.SkirtPleats = 0
 
 
 def draft_pinafore(options: PinaforeOptions, measurements: Measurements) -> Pattern:
@@ -72,9 +75,15 @@ def draft_pinafore(options: PinaforeOptions, measurements: Measurements) -> Patt
     table = CuttingTable("pinafore")
     lower = lay_bib(table, figure, _bib(options))
     table.mirror()
-    skirt = FittedSkirt(options.length, options.hip_ease, options.flare)
-    lay_fitted_skirt(table, figure, skirt, lower, figure.waist_y - options.band_height)
-    sew_skirt_to_band(table, SKIRT_HALVES)
+    top = figure.waist_y - options.band_height
+    if options.pleats >= LEAST_PLEATS:
+        length = options.length - options.band_height
+        lay_dress_pleats(table, figure, lower, options.pleats, length, top - 3.0)
+        sew_pleats_to_band(table, options.pleats)
+    else:
+        skirt = FittedSkirt(options.length, options.hip_ease, options.flare)
+        lay_fitted_skirt(table, figure, skirt, lower, top)
+        sew_skirt_to_band(table, SKIRT_HALVES)
     sew_bib(table)
     return table.finish()
 

@@ -149,6 +149,7 @@ class ShirtDressOptions:
     skirt_length: declared.SkirtLength = 62.0
     skirt_fraction: declared.CircleFraction = 0.5
     gathers: declared.SkirtGathers = 1.0
+    pleats: declared.SkirtPleats = 0
     neckline: declared.NeckShapeOption = "v"
     neck_widening: declared.NeckWidening = 1.0
     neck_depth: declared.NeckDepth = 15.0
@@ -189,7 +190,7 @@ def draft_shirt_dress(options: ShirtDressOptions, measurements: Measurements) ->
     table.mirror()
     sew_centres(table)
     collar.sew(table)
-    skirt = RoundSkirt(options.skirt_length, options.skirt_fraction, options.gathers)
+    skirt = RoundSkirt(options.skirt_length, options.skirt_fraction, options.gathers, pleats=options.pleats)
     lay_round_skirt(table, figure, skirt, waist)
     return table.finish()
 
@@ -215,6 +216,7 @@ class SkaterDressOptions(SleevedBodiceOptions):
     skirt_length: declared.SkirtLength = 50.0
     skirt_fraction: declared.CircleFraction = 0.75
     gathers: declared.SkirtGathers = 1.0
+    pleats: declared.SkirtPleats = 0
     hem_band: declared.HemBand = 0.0
     hem_dip: declared.HemDip = 0.0
     scallop_width: declared.ScallopWidth = 0.0
@@ -229,7 +231,14 @@ def draft_skater_dress(options: SkaterDressOptions, measurements: Measurements) 
     table.mirror()
     sew_centres(table)
     hem = HemShape(options.hem_dip, options.scallop_width, points=options.hem_points)
-    skirt = RoundSkirt(options.skirt_length, options.skirt_fraction, options.gathers, hem, options.hem_band)
+    skirt = RoundSkirt(
+        options.skirt_length,
+        options.skirt_fraction,
+        options.gathers,
+        hem,
+        options.hem_band,
+        options.pleats,
+    )
     lay_round_skirt(table, figure, skirt, waist)
     return table.finish()
 

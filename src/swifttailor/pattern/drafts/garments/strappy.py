@@ -120,6 +120,7 @@ class HeldDressOptions:
     skirt_length: Annotated[float, Option("Body's waist to the hem.", "cm", 36.0, 104.0)] = 62.0
     skirt_fraction: declared.CircleFraction = 0.5
     gathers: declared.SkirtGathers = 1.0
+    pleats: declared.SkirtPleats = 0
     hem_band: declared.HemBand = 0.0
     fitted: Annotated[bool, Option("Cut the skirt close, with darts, instead of from a circle.")] = False
     hip_ease: declared.HipEase = 4.0
@@ -180,7 +181,11 @@ def _with_skirt(table: CuttingTable, figure: Figure, options: HeldDressOptions, 
             lay_flounce(table, options.skirt_length - close, y, options.skirt_fraction)
     else:
         skirt = RoundSkirt(
-            options.skirt_length, options.skirt_fraction, options.gathers, hem_band=options.hem_band
+            options.skirt_length,
+            options.skirt_fraction,
+            options.gathers,
+            hem_band=options.hem_band,
+            pleats=options.pleats,
         )
         lay_round_skirt(table, figure, skirt, waist)
     return table.finish()
