@@ -61,7 +61,7 @@ TRIMMED = {
     "vest": ("tank-top", ("neck rib", "armhole ribs", "hem rib")),
     "pyjama bottoms": ("pull-on-trousers", ("elastic waist",)),
     "slip": ("fitted-dress", ("lace trim", "waist bow")),
-    "suit trousers": ("trousers", ("fly", "creases", "stirrups", "side stripes")),
+    "suit trousers": ("trousers", ("fly", "creases", "front pleats", "stirrups", "side stripes")),
     "hakama": ("pull-on-trousers", ("pleat lines",)),
     "cheongsam": ("fitted-dress", ("diagonal closing",)),
     "hospital gown": ("shift-dress", ("back ties",)),

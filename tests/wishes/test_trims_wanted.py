@@ -89,6 +89,22 @@ def test_names_of_dresses_mean_what_they_are_known_by(text, trims):
 
 
 @pytest.mark.parametrize(
+    ("text", "pleated"),
+    [
+        ("pleat front bermudas", True),
+        ("pleated trousers", True),
+        ("pantalon large à pinces", True),
+        ("pantalón de pinzas", True),
+        ("paperbag trousers", False),
+        ("plain trousers", False),
+    ],
+)
+def test_pleats_of_trousers_lie_below_the_waistband(text, pleated):
+    wanted = trims_wanted(heard(text), "trousers", "trousers")
+    assert ("front pleats" in {name for wish in wanted for name in wish.choices[0]}) is pleated
+
+
+@pytest.mark.parametrize(
     ("text", "refused"),
     [
         ("jeans without pockets", POCKETS),

@@ -48,6 +48,7 @@ _LINES: Mapping[str, str] = {
     "boning": "channel of a bone",
     "creases": "pressed crease",
     "pleat lines": "edge of a pleat",
+    "front pleats": "edge of a pleat",
     "diagonal closing": "piping",
 }
 

@@ -45,7 +45,7 @@ TRIMS_OF: Mapping[str, tuple[str, ...]] = {
     "apron": ("apron",),
     "creases": ("creases",),
     "stirrups": ("stirrups",),
-    "pleats": ("pleat lines",),
+    "pleats": ("front pleats", "pleat lines"),
     "open_back": ("back ties", "back buttons", "back lacing"),
     "back_lacing": ("back lacing",),
     "asymmetric_closing": ("diagonal closing",),
@@ -71,7 +71,7 @@ _WRAPS = frozenset({"wrap-dress", "wrap-top", "robe"})
 _HOODED = frozenset({"hoodie", "hooded-coat"})
 _RIBS, _RIBBED = "rib_bands", frozenset({"t-shirt", "tank-top", "sweatshirt"})
 _KNITS = frozenset({"jersey", "rib-knit", "sweatshirt", "fleece"})
-_SAID_ALONE = frozenset({"lace", "braid", "apron", "boning"})
+_SAID_ALONE = frozenset({"lace", "braid", "apron", "boning", "pleats"})
 """What is put on only where the text itself asks for it, or a row of the tables has its trim."""
 _LOWER = ("trousers", "shorts")
 _FOR_JACKETS, _TAILORED = frozenset({"cardigan", "turtleneck"}), "blazer"
@@ -247,7 +247,9 @@ def _usual(what: str, kind: str, cloth: str | None, draft: str) -> tuple[tuple[s
         )
     if what == "drawstring":
         return (("neck cord",),) if draft in _HOODED else (("drawstring",), ("neck cord",))
-    if what in ("padding", "pleats", "asymmetric_closing"):
+    if what == "pleats":
+        return (("front pleats",),) if kind in _LOWER else ()
+    if what in ("padding", "asymmetric_closing"):
         return ()
     return tuple([(name,) for name in TRIMS_OF.get(what, ())])
 

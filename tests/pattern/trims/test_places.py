@@ -76,6 +76,7 @@ SHOULD_HAVE = {
     "apron": ("skater-dress", "gathered-skirt", "circle-skirt"),
     "creases": TROUSERS[:4],
     "pleat lines": ("trousers", "pull-on-trousers"),
+    "front pleats": TROUSERS[:4],
     "stirrups": ("leggings", "trousers"),
     "diagonal closing": ("fitted-dress", "turtleneck", "shirt"),
     "rips": (*TROUSERS, "jumpsuit", "fitted-skirt", "t-shirt", "denim-jacket"),

@@ -59,6 +59,7 @@ TRIMS: Mapping[str, str] = {
     "apron": "an apron in front",
     "creases": "pressed creases down the legs",
     "pleat lines": "pressed pleats down the legs",
+    "front pleats": "pleats below the waistband in front",
     "stirrups": "straps under the feet",
     "diagonal closing": "a closing from the neck to the armhole",
     "rips": "rips with threads across",
@@ -92,6 +93,7 @@ LIKE_EACH_OTHER = (
     ("sleeve frills", "sleeve turn-ups"),
     ("neck frill", "neck bow", "neck cord"),
     ("creases", "pleat lines"),
+    ("front pleats", "pleat lines"),
     ("back zip", "back ties", "back buttons", "back lacing"),
     ("rips", "knee rips", "left knee rip", "right knee rip", "knee patches"),
 )

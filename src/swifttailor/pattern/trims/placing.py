@@ -77,6 +77,7 @@ _PLACES: Mapping[str, Callable[[Chalk, str], list[Trim]]] = {
     "apron": decorations.apron,
     "creases": pressed_lines.creases,
     "pleat lines": pressed_lines.pleat_lines,
+    "front pleats": pressed_lines.front_pleats,
     "stirrups": stirrups,
     "diagonal closing": diagonal_closing,
     "rips": rips,
