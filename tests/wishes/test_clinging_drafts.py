@@ -28,7 +28,9 @@ def stretch(named: NamedDraft) -> float:
         ("black bandage dress", "shift-dress"),
         ("tight jersey mini dress with long sleeves", "shift-dress"),
         ("bodycon dress, long sleeves, backless", "fitted-dress"),
+        ("bodycon dress, mini, open back", "fitted-dress"),
         ("a wifebeater", "tank-top"),
+        ("long line sports bra", "tank-top"),
         ("rash vest", "t-shirt"),
         ("thermal base layer top, slim fit", "t-shirt"),
         ("clingy turtleneck", "turtleneck"),
@@ -39,6 +41,28 @@ def test_words_that_mean_it(text, name, reader):
     assert (
         first.name == name and stretch(first) >= 5.0 and dict(first.options).get("waist_shaping", 9.9) >= 2.5
     )
+
+
+@pytest.mark.parametrize(
+    ("text", "name"),
+    [
+        ("bandeau", "bandeau"),
+        ("strapless bra", "bandeau"),
+        ("bandeau bikini top", "bandeau"),
+        ("bra", "camisole"),
+    ],
+)
+def test_what_is_worn_on_the_chest_alone_stretches(text, name, reader):
+    first = hear_description(text, reader).drafts[0]
+    assert first.name == name and stretch(first) >= 10.0
+
+
+def test_close_skirts_that_cling_narrow_to_the_hem():
+    def slant(named: NamedDraft, option: str) -> float:
+        return float(dict(clinging_as_asked(named, []).options)[option])
+
+    assert slant(NamedDraft("fitted-skirt"), "flare") < 0.0
+    assert slant(NamedDraft("fitted-skirt", (("flare", 8.0),)), "flare") == 8.0
 
 
 @pytest.mark.parametrize("text", ["white t-shirt", "close fitting wool dress", "a loose jersey dress"])

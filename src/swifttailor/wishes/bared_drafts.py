@@ -85,6 +85,9 @@ def bared_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     if draft.name == "t-shirt" and _OPEN_BACK in claims and not _is_otherwise(claims):
         draft = _bare_top(draft, claims)
     own = dict(draft.options)
+    if draft.name == "camisole" and own.get("stretch") and _BARE in claims:
+        kept = {name: own[name] for name in ("stretch", "length") if name in own}
+        return NamedDraft("bandeau", tuple({"knit": True, **kept}.items()))
     if draft.name in _SCOOPED and _OPEN_BACK in claims and not _is_otherwise(claims):
         bare = {**own, "back_neck_depth": _BARE_BACK_CM}
         if _CLOSE_NECKS.isdisjoint(claims):

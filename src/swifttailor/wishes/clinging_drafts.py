@@ -56,6 +56,9 @@ _CLOSER: Mapping[str, Mapping[str, float]] = {
     "fitted-skirt": {"hip_ease": 2.0},
 }
 """Other drafts that may be of such cloth, and the room that they then have at most, cm."""
+_NARROW_SKIRTS: Mapping[str, str] = {"fitted-dress": "skirt_flare", "fitted-skirt": "flare"}
+_NARROWING, _LEAST_FLARE = -2.0, 3.0
+"""Slant of the sides of skirts that cling, degrees, unless they are to flare by at least so much."""
 _SLIM = {"leg_ease": 2.0, "flare": -7.0, "length": 96.0}
 _WIDE_LEGS = frozenset({Claim("legs", "wide"), Claim("legs", "flared"), Claim("legs", "straight")})
 _LESS_STRETCH = 8.0
@@ -69,8 +72,8 @@ def clinging_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
         claims: What is asked for, all of it.
     """
     bare = float(dict(draft.options).get("back_neck_depth", 0.0)) > _DEEPEST_BACK_CM
-    if draft.name in _DRESSES and not bare and not any(_has_waist(claim) for claim in claims):
-        draft = _without_waist(draft)
+    if draft.name in _DRESSES and not any(_has_waist(claim) for claim in claims):
+        draft = _close_below(draft) if bare else _without_waist(draft)
     options = dict(draft.options)
     if draft.name in _KNITTED:
         stretch, room, shaping = (
@@ -91,6 +94,9 @@ def clinging_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     if closer is None:
         return draft
     options |= {name: min(most, float(options.get(name, most))) for name, most in closer.items()}
+    slant = _NARROW_SKIRTS.get(draft.name)
+    if slant is not None and float(options.get(slant, 0.0)) < _LEAST_FLARE:
+        options[slant] = min(float(options.get(slant, 0.0)), _NARROWING)
     options["stretch"] = max(_LESS_STRETCH, float(options.get("stretch", 0.0)))
     if draft.name.endswith("jumpsuit") and not _WIDE_LEGS.intersection(claims):
         options = {**_SLIM, **options, "leg_ease": min(float(options.get("leg_ease", 2.0)), 3.0)}
@@ -103,6 +109,13 @@ def _without_waist(draft: NamedDraft) -> NamedDraft:
     length = max(float(options.get("skirt_length", _SKIRT_CM[draft.name])), _SHORTEST_CM)
     kept = {name: options[name] for name in _OF_DRESSES if name in options}
     return NamedDraft("shift-dress", tuple({"length": length, **kept}.items()))
+
+
+def _close_below(draft: NamedDraft) -> NamedDraft:
+    """A dress whose back is bare to its waist, with a close skirt below that."""
+    options = dict(draft.options)
+    kept = {name: options[name] for name in (*_OF_DRESSES, "skirt_length") if name in options}
+    return NamedDraft("fitted-dress", tuple(kept.items())) if draft.name == "skater-dress" else draft
 
 
 def _close_sleeves(name: str, options: Mapping[str, float | bool | str]) -> Mapping[str, float]:

@@ -36,6 +36,35 @@ def test_it_is_narrower_and_as_long(name):
     assert (usual.cloth_stretch, close.cloth_stretch) == (0.0, 0.08)
 
 
+def hem_around(pattern):
+    """Of the lower edges of all four parts of a top, cm."""
+    return 2 * sum(float(np.ptp(_lowest(pattern.panel(f"left_{side}torso")))) for side in "fb")
+
+
+def _lowest(panel):
+    """Places across of the corners of the lower edge."""
+    level = panel.vertices[:, 1].min() + 6.0
+    return panel.vertices[panel.vertices[:, 1] < level, 0]
+
+
+@pytest.mark.parametrize(
+    ("name", "options"),
+    [
+        ("tank-top", {"waist_shaping": 4.0, "length": -9.0, "chest_ease": 2.0}),
+        ("camisole", {"length": -10.0, "chest_ease": 6.0, "flare": 0.0}),
+        ("bandeau", {"knit": True, "length": -6.0}),
+    ],
+)
+def test_what_ends_at_the_ribs_lies_on_them(name, options):
+    """It is narrower at its hem than the ribs, though not by more than its cloth gives."""
+    ribs, pattern = 91.0, draft(name, stretch=10.0, **options)
+    assert 0.8 * ribs < hem_around(pattern) < ribs
+
+
+def test_a_knitted_bandeau_has_no_darts():
+    assert len(draft("bandeau", knit=True).stitches) < len(draft("bandeau").stitches)
+
+
 def test_those_that_always_stretch_are_known_by_name():
     assert {name for name in WITH_STRETCH if draft(name).cloth_stretch > 0} == STRETCHING
 

@@ -138,10 +138,12 @@ def lay_loose_bodice(table: CuttingTable, figure: Figure, shape: LooseBodice) ->
     hem_y = figure.waist_y - shape.length
     follows = shape.follows and hem_y < figure.hip_y - _BELOW_HIPS_CM
     under_y = max(figure.armpit_y - shape.armhole_drop, hem_y + SIDE_MINIMUM)
+    short = shape.waist_shaping > 0.0 and shape.length < SHORT_CM
     body = figure.girth_below_waist(shape.length).eased(shape.hip_ease)
+    if short and shape.follows:
+        body = ribs_at(figure, hem_y).eased(_FOLLOWING_EASE)
     widening = max(body.girth - chest.girth, 0.0) / 4 if shape.length > 0 else 0.0
     shaping = shape.waist_shaping
-    short = shaping > 0.0 and shape.length < SHORT_CM
     darted = shape.darted and short and not (follows or shape.side_slits or shape.side_rise)
     if short:  # what ends at the waist narrows down to it
         widening = min(max((body.girth - chest.girth) / 4, -shaping), widening)
@@ -162,6 +164,7 @@ def lay_loose_bodice(table: CuttingTable, figure: Figure, shape: LooseBodice) ->
     if shape.front_closed_to is not None:
         slit = max(shape.length - shape.front_closed_to, 0.0) if shape.front_opening else 0.0
     on_seat = min(max((shape.length - _ABOVE_SEAT_CM) / _ABOVE_SEAT_CM, 0.0), 1.0)
+    on_seat = 1.0 if short and shape.follows else on_seat  # below the bust the front needs less
     if shape.front_opening < 0.0:  # fronts that lie over each other would stand out in front
         on_seat = 0.0
     behind = on_seat * runs_back(chest, body, widening, under_y - hem_y)
@@ -233,6 +236,16 @@ def _taper(shape: LooseBodice) -> float:
 def follows_body(stretch: float, waist_shaping: float, armhole: str = "set-in") -> bool:
     """Whether a torso with these options follows the body: one whose cloth stretches and that has a waist."""
     return stretch > 0.0 and waist_shaping > 0.0 and armhole != "cut-in-one"
+
+
+def ribs_at(figure: Figure, y: float) -> Halves:
+    """Half widths of the body between bust and waist, where it narrows fast below the bust, or below, cm."""
+    above = min(max((y - figure.waist_y) / (figure.bust_y - figure.waist_y), 0.0), 1.0) ** 2
+    below = figure.girth_below_waist(figure.waist_y - y)
+    return Halves(
+        (1.0 - above) * below.front + above * figure.bust.front,
+        (1.0 - above) * below.back + above * figure.bust.back,
+    )
 
 
 def _half_at(figure: Figure, shape: LooseBodice, y: float) -> Halves:

@@ -10,6 +10,7 @@ from swifttailor.pattern.drafts.bodice import (
     HEM_BALANCE,
     SHORT_CM,
     SIDE_MINIMUM,
+    ribs_at,
     sew_torso,
 )
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
@@ -47,6 +48,8 @@ class StrapBodice:
     """Extra width at the hem, cm around."""
     waist_shaping: float = 0.0
     """How far each side seam bends inward between underarm and hem, cm."""
+    stretches: bool = False
+    """Whether it is of cloth that stretches: what ends at the ribs is as narrow as these."""
 
 
 def lay_strap_bodice(table: CuttingTable, figure: Figure, shape: StrapBodice) -> None:
@@ -60,8 +63,12 @@ def lay_strap_bodice(table: CuttingTable, figure: Figure, shape: StrapBodice) ->
     shaping = shape.waist_shaping if shape.length >= SHORT_CM else 0.0
     body = figure.girth_below_waist(shape.length).eased(_SHAPED_HIP_CM + 2 * shaping if shaping else _HIP_CM)
     widening = max(body.girth - chest.girth, 0.0) / 4 if shape.length > 0 else 0.0
+    hugs = shape.stretches and shape.length < 0.0
+    if hugs:
+        body = ribs_at(figure, hem_y).eased(shape.chest_ease)
+        widening = (body.girth - chest.girth) / 4
     widening += shape.flare / 4
-    behind = runs_back(chest, body, widening, under_y - hem_y) if shaping else 0.0
+    behind = runs_back(chest, body, widening, under_y - hem_y) if shaping or hugs else 0.0
     front_corner = (chest.front + widening - behind, hem_y + 0.5)
     for side, half in (("f", chest.front), ("b", chest.back)):
         front = side == "f"
@@ -71,7 +78,7 @@ def lay_strap_bodice(table: CuttingTable, figure: Figure, shape: StrapBodice) ->
         base_y = max(base_y, under_y + 0.5)
         outline = Outline(0.0, hem_y - drop)
         corner = front_corner if front else (half + widening + behind, hem_y + 0.5)
-        if shaping and not front:
+        if (shaping or hugs) and not front:
             seam = side_length(front_corner, (chest.front, under_y), shaping)
             corner = as_long(seam, corner, (half, under_y), shaping)
         outline.quadratic("hem", (corner[0] * 0.6, hem_y - drop), corner)

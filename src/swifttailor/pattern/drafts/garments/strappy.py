@@ -18,6 +18,7 @@ from swifttailor.pattern.drafts.joins import (
     sew_skirt_to_bodice,
     sew_trousers_to_bodice,
 )
+from swifttailor.pattern.drafts.knit_tube import KnitTube, lay_knit_tube
 from swifttailor.pattern.drafts.measurements import Measurements
 from swifttailor.pattern.drafts.options import Option
 from swifttailor.pattern.drafts.round_skirt import RoundSkirt, lay_round_skirt
@@ -43,6 +44,7 @@ class CamisoleOptions:
     strap_width: StrapWidth = 1.5
     dip: FrontDip = 3.0
     waist_shaping: declared.WaistShaping = 0.0
+    stretch: declared.ClothStretch = 0.0
 
 
 def draft_camisole(options: CamisoleOptions, measurements: Measurements) -> Pattern:
@@ -54,8 +56,9 @@ def draft_camisole(options: CamisoleOptions, measurements: Measurements) -> Patt
         options.dip,
         options.flare,
         options.waist_shaping,
+        options.stretch > 0.0,
     )
-    return _on_straps("camisole", bodice, measurements)
+    return _on_straps("camisole", bodice, measurements, options.stretch / 100)
 
 
 @dataclass(frozen=True)
@@ -96,17 +99,31 @@ class BandeauOptions:
 
     bust_ease: StraplessEase = 1.0
     waist_ease: HeldWaistEase = 0.0
+    stretch: declared.ClothStretch = 0.0
+    knit: Annotated[bool, Option("Make it a tube of knitted cloth without darts.")] = False
+    length: Annotated[
+        float, Option("Hem of the tube below the waist; negative ends above it.", "cm", -12.0, 6.0)
+    ] = -9.0
 
 
 def draft_bandeau(options: BandeauOptions, measurements: Measurements) -> Pattern:
-    """Drafts the bandeau for a body: a bustier with a straight upper edge."""
-    bodice = StraplessBodice(options.bust_ease, options.waist_ease, dip=0.0)
-    return _strapless("bandeau", bodice, measurements)
+    """Drafts the bandeau for a body: a bustier with a straight upper edge, or a tube of knitted cloth."""
+    if not options.knit:
+        bodice = StraplessBodice(options.bust_ease, options.waist_ease, dip=0.0)
+        return _strapless("bandeau", bodice, measurements, options.stretch / 100)
+    table = CuttingTable("bandeau", options.stretch / 100)
+    figure = Figure.of(measurements).for_cloth(options.stretch / 100)
+    lay_knit_tube(table, figure, KnitTube(options.bust_ease, options.length))
+    table.mirror()
+    sew_centres(table)
+    return table.finish()
 
 
-def _strapless(name: str, bodice: StraplessBodice, measurements: Measurements) -> Pattern:
-    table = CuttingTable(name)
-    lay_strapless_bodice(table, Figure.of(measurements), bodice)
+def _strapless(
+    name: str, bodice: StraplessBodice, measurements: Measurements, stretch: float = 0.0
+) -> Pattern:
+    table = CuttingTable(name, stretch)
+    lay_strapless_bodice(table, Figure.of(measurements).for_cloth(stretch), bodice)
     table.mirror()
     sew_centres(table)
     return table.finish()
@@ -252,9 +269,9 @@ def _with_legs(table: CuttingTable, figure: Figure, options: HeldJumpsuitOptions
     return table.finish()
 
 
-def _on_straps(name: str, bodice: StrapBodice, measurements: Measurements) -> Pattern:
-    table = CuttingTable(name)
-    lay_strap_bodice(table, Figure.of(measurements), bodice)
+def _on_straps(name: str, bodice: StrapBodice, measurements: Measurements, stretch: float = 0.0) -> Pattern:
+    table = CuttingTable(name, stretch)
+    lay_strap_bodice(table, Figure.of(measurements).for_cloth(stretch), bodice)
     table.mirror()
     sew_centres(table)
     return table.finish()
