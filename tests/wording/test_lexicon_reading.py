@@ -418,3 +418,35 @@ def test_words_of_wishes(text, claims):
 
 def test_a_straight_neckline_says_nothing_of_the_skirt():
     assert not {"skirt=straight", "fit=easy"} & said("mermaid gown, straight neckline")
+
+
+@pytest.mark.parametrize(
+    ("text", "never"),
+    [
+        ("a coat fitted to the waist, very wide turned-down collar", "fit=oversized"),
+        ("a shirt with big turned-back cuffs", "fit=oversized"),
+        ("a jacket with a huge yoke", "fit=oversized"),
+        ("a long skirt with tiny buttons", "sleeves=cap"),
+        ("a floor length robe, split up the front to the knee", "skirt_hem=knee"),
+        ("a floor length coat with a zip to the waist", "top_hem=waist"),
+        ("a dress buttoned down to the waist", "top_hem=waist"),
+    ],
+)
+def test_the_size_of_a_detail_is_none_of_the_garment(text, never):
+    assert never not in said(text)
+    assert not read_words(text).contradictions
+
+
+@pytest.mark.parametrize(
+    ("text", "sizes"),
+    [
+        ("a skirt with a small train", ()),
+        ("a smock with a small stand-up neck", ()),
+        ("a dress with a small slit", ()),
+        ("a small zipped jacket", ("small",)),
+        ("a small dress with a big bow", ("small",)),
+    ],
+)
+def test_a_small_detail_is_no_size_of_clothes(text, sizes):
+    assert read_words(text).sizes == sizes
+    assert ("sizes" in {lack.what for lack in read_words(text).lacks}) == bool(sizes)

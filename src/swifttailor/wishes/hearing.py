@@ -17,6 +17,7 @@ from swifttailor.wishes.accounting import subjects_spoken_of, unaccounted
 from swifttailor.wishes.button_counts import buttons_stated
 from swifttailor.wishes.closed_behind import without_opposites
 from swifttailor.wishes.deep_cuffs import without_deep_cuffs
+from swifttailor.wishes.first_piece import first_piece
 from swifttailor.wishes.heard import HEARD_NOTHING, Heard
 from swifttailor.wishes.kind_of_details import (
     skirts_of_dresses,
@@ -102,7 +103,7 @@ def _is_named(heard: Heard) -> bool:
 
 
 def _heard_description(text: str, reader: WishReader) -> Heard:
-    text, words = text_as_read(made_into_a_dress(without_side_remarks(without_asides(text))))
+    text, words = text_as_read(made_into_a_dress(without_side_remarks(without_asides(first_piece(text)))))
     own, before = text, words
     if (plain := plainly_wished(text)) != text:
         text, words = plain, read_words(plain)

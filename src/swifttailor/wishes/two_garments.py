@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 from itertools import pairwise
 
+from swifttailor.wishes.first_piece import first_piece
 from swifttailor.wishes.outfit_chunks import DETERMINERS, LOOKS, Chunk, bare, chunks_of, is_of_both
 from swifttailor.wishes.outfit_halves import HALVES, Half, half_named, half_told
 from swifttailor.wishes.outfit_pieces import (
@@ -76,6 +77,7 @@ def two_garments(text: str) -> TwoGarments | None:
     Args:
         text: In any language that is read.
     """
+    text = first_piece(text)
     text = _PLUS.sub(lambda found: " with " if "w" in found[0] else " and ", text)
     text = _SUIT_OF.sub(r"\1, ", text)
     text = joined_up(text, read_words(text))

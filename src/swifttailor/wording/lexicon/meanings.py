@@ -9,6 +9,7 @@ from typing import Literal
 from swifttailor.wording.lexicon.entries import Entry
 from swifttailor.wording.lexicon.inflection import Language
 from swifttailor.wording.lexicon.marking import Found
+from swifttailor.wording.lexicon.sizes_of_details import ADJECTIVES, little_behind, tells_how_far
 from swifttailor.wording.lexicon.vocabulary import WORN, Sense, Vocabulary
 from swifttailor.wording.word_tables import Dialect
 
@@ -33,9 +34,6 @@ _SIZELESS = frozenset(["function", "polite", "degrees", "comparisons", "numbers"
 """Categories of words that hold texts together."""
 _MINE = frozenset(["my", "her", "his", "their", "under", "over", "beneath", "underneath", "match"])
 """Words before a garment that is there already."""
-_ADJECTIVES = frozenset(
-    ["styles", "fits", "lengths", "occasions", "colors", "shades", "prints", "fabrics", "sizes"]
-)
 _WHOLE = frozenset(["dress", "jumpsuit", "playsuit"])
 _PART_OF = {
     "skirt": _WHOLE,
@@ -152,16 +150,6 @@ def _before_noun(words: Sequence[Found], k: int) -> bool:
     return any(s.entry.category == "garments" for s in words[k + 1].senses)
 
 
-_LITTLE = frozenset(
-    {"hood", "slit", "collar", "cuffs", "leg_cuffs", "waistband", "hem_band", "straps", "tiers"}
-)
-"""Parts that may be of any size on a garment of any size."""
-_BIG = frozenset("big huge giant enormous massive gigantic ginormous oversized oversize".split())
-_AT_NECKS = frozenset({"collar", "neckline", "hood"})
-_WITH = frozenset("with mit avec con col com".split())
-"""Before what is put on a garment in other languages: "felpa oversize col cappuccio" is a large one."""
-
-
 def _kinds(chosen: Sequence[tuple[Sense, ...]], garments: Sequence[int], kind: str | None) -> frozenset[str]:
     named = frozenset().union(*[s.entry.kinds for k in garments for s in chosen[k]])
     return named | ({kind} if kind is not None else frozenset())
@@ -263,8 +251,13 @@ def _said_of(
     words: Sequence[Meaning], k: int, senses: tuple[Sense, ...], kind: str | None, known: Vocabulary
 ) -> Meaning:
     """The meaning of a word that depends on what it is said of."""
-    if _is_of_little(words, k) and not _fitting(senses, _names(words[k + 1])):
+    little = little_behind(words, k)
+    if little is not None and not _fitting(senses, _names(words[little])):
         return replace(words[k], entries=(senses[0].entry,), role="astray")
+    if senses[0].entry.category == "lengths" and tells_how_far(words, k):
+        slit = _fitting(senses, frozenset({"slit"}))
+        if not slit:
+            return replace(words[k], entries=(senses[0].entry,), role="astray")
     for target in _targets(words, k, known):
         fitting = _fitting(senses, _names(words[target]))
         if fitting:
@@ -279,28 +272,6 @@ def _said_of(
         (f for each in ("dress", "top", "trousers") if (f := _fitting(senses, frozenset([each])))), None
     )
     return replace(words[k], entries=(usual[0] if usual else senses[0].entry,), guessed=True)
-
-
-def _is_of_little(words: Sequence[Meaning], k: int) -> bool:
-    """Whether a part follows at once whose size says nothing of the garment: "a huge slit", "a big hood"."""
-    if k + 1 >= len(words) or words[k].found.gap not in ("space", "hyphen"):
-        return False
-    if words[k].found.word in _BIG and _is_put_on(words, k + 1):
-        return True
-    return words[k + 1].is_noun and words[k + 1].part in _LITTLE and words[k + 1].category == "parts"
-
-
-def _is_put_on(words: Sequence[Meaning], k: int) -> bool:
-    """Whether a word names what is put on a garment, and ends its phrase: a roll neck, patch pockets."""
-    word = words[k]
-    ends = k + 1 == len(words) or word.found.gap in ("pause", "stop") or words[k + 1].category == "function"
-    if word.category != "styles" or not ends or word.found.word.endswith(("ed", "y")):
-        return False
-    if word.found.word.split()[0] in _WITH:
-        return False
-    collared = any(claim.name == "collar" for entry in word.entries for claim in entry.claims("certain"))
-    trimmed = any(entry.cannot and not entry.implied for entry in word.entries)
-    return collared or trimmed or word.part in _AT_NECKS
 
 
 def _names(word: Meaning) -> frozenset[str]:
@@ -363,7 +334,7 @@ def _targets(words: Sequence[Meaning], k: int, known: Vocabulary) -> Iterator[in
             yield j
             if word.is_noun and word.role != "like":
                 break
-        elif word.category not in _ADJECTIVES and word.category != "degrees":
+        elif word.category not in ADJECTIVES and word.category != "degrees":
             if word.found.word not in joining and word.found.word not in _ARTICLES:
                 break
     for j in range(k - 1, max(k - _REACH, -1), -1):

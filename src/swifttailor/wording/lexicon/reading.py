@@ -207,10 +207,14 @@ def _reading(text: str, language: Language, kind: str | None, dialect: Dialect |
                 ]
             )
         ),
-        tuple([mark.word for mark in meant if any("sizes" in entry.cannot for entry in mark.entries)]),
+        tuple([mark.word for mark in meant if _is_size(mark)]),
         looks,
         tuple([mark for mark, _ in colors]),
     )
+
+
+def _is_size(mark: WordMark) -> bool:
+    return mark.role != "astray" and any("sizes" in entry.cannot for entry in mark.entries)
 
 
 def _kinds_named(words: Sequence[Meaning]) -> frozenset[str]:
@@ -361,7 +365,7 @@ def _fitting_kind(kept: Sequence[Implication], kind: str | None) -> list[Implica
 def _lacks(marks: Sequence[WordMark]) -> tuple[Lack, ...]:
     found: dict[str, Lack] = {}
     for mark in marks:
-        if mark.role == "theirs":
+        if mark.role in ("theirs", "astray"):
             continue
         for entry in mark.entries:
             for what in () if mark.role == "second" and entry.category == "garments" else entry.cannot:
