@@ -47,7 +47,9 @@ def little_behind(words: Sequence[Meaning], k: int) -> int | None:
             own = words[j].category in ("prints", "styles") and not _goes_on_to_garment(words, j)
             return j if own else None
         if words[j].is_noun:
-            shaped = words[j].category == "styles" and not words[j].found.word.endswith(("ed", "y"))
+            name = words[j].found.word
+            shaped = words[j].category == "styles" and not name.endswith(("ed", "y"))
+            shaped = shaped and name.split()[0] not in _WITH
             return j if words[j].part in _LITTLE and (shaped or words[j].category == "parts") else None
         if words[j].category not in ADJECTIVES and "hyphen" not in (
             words[j - 1].found.gap,
