@@ -138,3 +138,18 @@ def test_a_waistband_that_is_folded_down_is_deep(text):
     leggings = NamedDraft.parse("leggings(length=90)")
     assert dict(legs_as_said(leggings, f"leggings with {text}", (), ()).options)["band_height"] == 9.0
     assert legs_as_said(leggings, "leggings with folds, and a waistband", (), ()) == leggings
+
+
+@pytest.mark.parametrize(
+    ("text", "length"),
+    [
+        ("7/8 trousers", 92.0),
+        ("seven-eighths trousers", 92.0),
+        ("trousers, 7/8 sleeves", 99.0),
+        ("trousers", 99.0),
+    ],
+)
+def test_seven_eighths_end_above_the_ankle(text, length):
+    assert (
+        dict(legs_as_said(NamedDraft.parse("trousers(length=99)"), text, (), ()).options)["length"] == length
+    )

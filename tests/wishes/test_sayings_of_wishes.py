@@ -235,6 +235,10 @@ def test_a_network_adds_nothing_that_words_speak_against(reader, text, never):
         ("a blouse with tiny flowers", "a blouse with small flowers"),
         ("she rides a lot and needs breeches", "she rides a lot and needs riding breeches"),
         ("shooting breeches", "shooting breeches"),
+        ("a jacket with cover of head", "a jacket with hood"),
+        ("shirt no arm for the gym", "tank top for the gym"),
+        ("a vest, very big hole for arm", "a vest, deep armholes"),
+        ("a long-ish skirt to mid calf", "a skirt to mid calf"),
     ],
 )
 def test_what_is_answered_or_likened_is_put_plainly(text, plain):

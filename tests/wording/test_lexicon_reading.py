@@ -450,3 +450,28 @@ def test_the_size_of_a_detail_is_none_of_the_garment(text, never):
 def test_a_small_detail_is_no_size_of_clothes(text, sizes):
     assert read_words(text).sizes == sizes
     assert ("sizes" in {lack.what for lack in read_words(text).lacks}) == bool(sizes)
+
+
+@pytest.mark.parametrize(
+    ("text", "draft", "claims"),
+    [
+        ("surplice", "shift-dress", {"sleeve_shape=wide", "skirt_hem=knee"}),
+        ("surplice top", "wrap-top", {"neckline=v"}),
+        ("bib shorts for cycling", "strappy-jumpsuit", {"fit=close", "legs=slim"}),
+        ("houppelande", "shift-dress", {"collar=stand", "sleeve_shape=bell"}),
+        ("chiton", "shift-dress", {"shoulders=both", "fit=loose"}),
+        ("Sailor Moon style school uniform", "shirt-dress", {"collar=lapel", "skirt_hem=mini"}),
+        ("gambeson", "turtleneck", {"collar=stand", "top_hem=long"}),
+        ("tabard", "shift-dress", {"slit=left", "slit=right", "sleeves=none"}),
+        ("baby doll nightdress", "empire-dress", {"waist_seam=empire"}),
+        ("tennis dress", "skater-dress", {"skirt=flared"}),
+        ("drop-waist tennis dress", "drop-waist-dress", {"skirt_hem=knee"}),
+        ("salwar kameez", "shift-dress", {"skirt_hem=knee", "slit=left"}),
+        ("yukata", "robe", {"sleeves=long", "sleeve_shape=wide"}),
+        ("Wickelhose", "trousers", {"legs=wide"}),
+    ],
+)
+def test_names_begin_from_what_they_look_like(text, draft, claims):
+    reading = read_words(text)
+    assert draft in {each.name for mark in reading.marks for e in mark.entries for each in e.drafts}
+    assert claims <= {f"{i.claim.name}={i.claim.value}" for i in reading.implications}

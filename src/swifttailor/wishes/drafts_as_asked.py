@@ -118,7 +118,8 @@ def draft_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft | N
     draft = _as_another(_darted(_cropped(draft, claims), claims), claims)
     draft = _with_v_neck(_with_hood(_worn_over(draft, claims), claims), claims)
     draft = _with_close_neck(draft, claims)
-    if draft.name in _SLIT_AT_THE_SIDES and all(slit in claims for slit in _SLITS):
+    slit_by_name = SIDE_SLITS in dict(draft.options)
+    if draft.name in _SLIT_AT_THE_SIDES and not slit_by_name and all(slit in claims for slit in _SLITS):
         slit = _HIGH_SLIT_CM if _HIGH_SLIT in claims else _SLIT_CM
         draft = replace(draft, options=(*draft.options, (SIDE_SLITS, slit)))
     if draft.name in _BIBBED and Claim("straps", "wide") in claims:

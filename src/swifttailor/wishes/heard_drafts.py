@@ -30,7 +30,7 @@ from swifttailor.wishes.sailor_collars import asks_for_sailor_collar, with_sailo
 from swifttailor.wishes.straight_edges import straight_as_said
 from swifttailor.wishes.tier_heights import tier_as_said
 from swifttailor.wishes.tiers_as_asked import tiers_as_asked
-from swifttailor.wishes.tops_to_the_legs import to_the_legs_as_said
+from swifttailor.wishes.tops_to_the_legs import is_long_top, to_the_legs_as_said
 from swifttailor.wording.lexicon import Entry
 
 if TYPE_CHECKING:
@@ -86,7 +86,8 @@ def drafts_of(heard: Heard) -> tuple[NamedDraft, ...]:
         named = _named_skirts(heard, sure)
         fitting = [clinging_as_asked(draft, [*sure, *named]) for draft in fitting]
     fitting = [loosened_as_asked(draft, sure) for draft in fitting]
-    fitting = [straight_as_said(to_the_legs_as_said(draft, heard.text), heard.text) for draft in fitting]
+    long = is_long_top(heard)
+    fitting = [straight_as_said(to_the_legs_as_said(d, heard.text, long=long), heard.text) for d in fitting]
     fitting = [low_as_asked(draft, sure) for draft in gored_as_said(fitting, heard.text)]
     if asks_for_sailor_collar(entries):
         fitting = [with_sailor_collar(draft) for draft in fitting]
@@ -128,14 +129,17 @@ def _sure_claims(heard: Heard) -> list[Claim]:
 def _begun(heard: Heard, entries: Sequence[Entry], sure: Sequence[Claim]) -> list[NamedDraft]:
     """The drafts that entries name, as they are asked for; else such as have all that is told."""
     kind = _CUT_AS.get(heard.kind or "", heard.kind)
+    if is_long_top(heard):
+        kind, sure = "top", [claim for claim in sure if claim.name != "skirt_hem"]
     named = [draft for entry in entries for draft in entry.drafts if draft.kind == kind]
     named = _with_one_collar([as_not_refused(draft, heard.never) for draft in _in_detail(named, entries)])
     fitting = [draft_as_asked(armholes_as_asked(draft, heard.lacks), sure) for draft in named]
     if not named and heard.kind in (None, "top") and _tells_no_garment(heard):
         fitting = [draft_as_asked(_WHATEVER, sure)]
     elif not any(fitting):  # a blouse without a collar has nothing of the shirt that blouses begin from
-        kinds = [e for e in entries if heard.kind in e.kinds and (named or not e.drafts)]
-        fitting = [draft_of_name(entry, heard.kind or "", sure) for entry in kinds]
+        own = "tunic" if is_long_top(heard) else heard.kind
+        kinds = [e for e in entries if own in e.kinds and (named or not e.drafts)]
+        fitting = [draft_of_name(entry, own or "", sure) for entry in kinds]
         if _says_details(heard) and not any(heard.kind in entry.kinds for entry in heard.meant):
             fitting = [draft_of_kind(heard.kind, sure)]
     return [as_not_refused(draft, heard.never) for draft in fitting if draft is not None]

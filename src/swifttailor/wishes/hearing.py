@@ -55,6 +55,7 @@ from swifttailor.wishes.worn_for import worn_for
 from swifttailor.wording.claim_kinds import fits_kind
 from swifttailor.wording.lexicon import SURENESS, Implication, WordReading, exclude, glossed, read_words
 from swifttailor.wording.lexicon.conflicts import SCALES
+from swifttailor.wording.lexicon.long_tops import kinds_outgrown
 
 SURE_OF_EVERY_WORD = 0.96
 """Enough for the network to come before the lexicon, where it leaves no word out."""
@@ -125,6 +126,7 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
     network = [w for w in network if not is_against_phrase(w, words)]
     against = against_names(words)
     refused = (*words.never, *_with_parts(words), *refused_frills(words), *against.values())
+    refused = (*refused, *kinds_outgrown(words))
     never = tuple([claim for claim in refused if claim not in said and not hangs_so(claim, words)])
     never = (*never, *other_slits(text, [*said, *[i.claim for i in words.implications]]))
     unsaid = (*never, *before.never, *against_phrases(words))

@@ -45,6 +45,14 @@ _LONG_CM = 90.0
 _FULL, _SHORTER_CM = Claim("leg_hem", "full"), 92.0
 """Legs that are not to be so long, and how long they are then."""
 _LONGEST = ("trousers", "pull-on-trousers")
+_SEVEN_EIGHTHS = re.compile(
+    r"(?<![\w/])(?:7/8(?:th)?s?|seven[- ]eighths?|siebenachtel|sept huitièmes|siete octavos|sette ottavi"
+    r"|sete oitavos|zeven achtste)(?![\w/])"
+    r"(?!\W*(?:lang\w* |length )?(?:sleeve|arm|ärmel|manche|manga|manica|mouw))",
+    re.IGNORECASE,
+)
+"""Legs that end a hand above the ankle bone, higher than ankle length does."""
+_WHOLE_LEGS = ("trousers", "pull-on-trousers", "jeans", "leggings", "flares")
 _PULLED_ON: Mapping[str, float] = {"hip_ease": 7.0, "leg_ease": 21.0, "flare": -3.5}
 """What trousers that are gathered at the waist have at least, as they have no darts."""
 _GATHERED_DRESSES, _GATHERS = ("skater-dress", "shirt-dress"), 1.7
@@ -80,6 +88,8 @@ def legs_as_said(
         full = max(_GATHERS, float(options.get("gathers", 0.0)))
         return replace(draft, options=tuple({**options, "gathers": full}.items()))
     long = float(options.get("length", _LONG_CM)) >= _LONG_CM
+    if draft.name in _WHOLE_LEGS and long and _SEVEN_EIGHTHS.search(text):
+        return replace(draft, options=tuple({**options, "length": _SHORTER_CM}.items()))
     if draft.name in _LONGEST and long and _DRAGS.search(text) and not _NOT_LONG.search(text):
         draft = replace(draft, options=tuple({**options, "length": _DRAGGING_CM}.items()))
     elif draft.name in _LONGEST and long and _TO_FLOOR.search(text):

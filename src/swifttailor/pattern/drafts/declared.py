@@ -175,6 +175,6 @@ LapelDepth = Annotated[
 ]
 LapelCollarWidth = Annotated[float, Option("Width of the collar on the shoulder.", "cm", 3.0, 6.0)]
 LapelWidth = Annotated[float, Option("Width of the lapels where they are widest.", "cm", 4.0, 11.0)]
-SideSlits = Annotated[float, Option("Length of the side seams left open above the hem.", "cm", 0.0, 40.0)]
+SideSlits = Annotated[float, Option("Length of the side seams left open above the hem.", "cm", 0.0, 85.0)]
 BelowWaist = Annotated[float, Option("Upper edge below the body's waist.", "cm", 0.0, 16.0)]
 BandEase = Annotated[float, Option("Room of the waistband on top of the waist girth.", "cm", -2.0, 4.0)]

@@ -14,6 +14,7 @@ from swifttailor.wording.lexicon.covered_shoulders import with_covered_shoulders
 from swifttailor.wording.lexicon.denials import denied_words
 from swifttailor.wording.lexicon.entries import Certainty, Entry, NamedPrint
 from swifttailor.wording.lexicon.inflection import Language
+from swifttailor.wording.lexicon.long_tops import with_long_tops
 from swifttailor.wording.lexicon.marking import find_words
 from swifttailor.wording.lexicon.meanings import Meaning, Role, meanings
 from swifttailor.wording.lexicon.odd_ones import odd_ones
@@ -180,7 +181,7 @@ def _reading(text: str, language: Language, kind: str | None, dialect: Dialect |
     never = [claim for claim in dict.fromkeys(never) if claim not in named]
     kept = _settled([i for i in implied if i.claim not in never])
     if kind is None:
-        kept = _with_kind(kept, never)
+        kept = with_long_tops(_with_kind(kept, never), marks)
     kept = _fitting_kind(kept, kind)
     meant = [mark for mark in marks if not mark.denied]
     looks = said_looks(text, marks, language)

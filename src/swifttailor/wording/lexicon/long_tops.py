@@ -1,0 +1,71 @@
+"""Tops that are as long as dresses: a tunic to the knee is measured and cut as one, a jacket as a coat."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from swifttailor.describing.claims import Claim
+
+if TYPE_CHECKING:
+    from swifttailor.wording.lexicon.reading import Implication, WordMark, WordReading
+
+_TOPS = frozenset({"top", "tunic"})
+_LONG = frozenset({"above the knee", "knee", "below the knee", "midi", "ankle", "floor"})
+_OTHERS = ("second", "theirs", "like", "part")
+_BESIDE = 4
+"""Words before a length among which the other thing may stand that is so long."""
+
+
+def with_long_tops(implied: Sequence[Implication], marks: Sequence[WordMark]) -> list[Implication]:
+    """What follows from a text, with a dress of that hem in place of a top that ends at the knee or lower.
+
+    Args:
+        implied: What follows from its words.
+        marks: Its words.
+    """
+    named = [i for i in implied if i.claim.name == "kind"]
+    tops = [i for i in named if i.mark.role == "garment" and i.claim.value in _TOPS]
+    if not tops or len(tops) < len(named) or _names_others(marks):
+        return list(implied)
+    hem = next((found for k in range(len(marks)) if (found := _hem(marks, k)) is not None), None)
+    if hem is None:
+        return list(implied)
+    mark, claim = hem
+    kept = [i for i in implied if i.claim.name not in ("skirt_hem", "top_hem")]
+    kept = [replace(i, claim=Claim("kind", "dress")) if i in tops else i for i in kept]
+    return [*kept, replace(tops[0], claim=claim, certainty="certain", said=True, mark=mark)]
+
+
+def _names_others(marks: Sequence[WordMark]) -> bool:
+    """Whether it names what may be so long instead: a skirt, trousers."""
+    return any(
+        entry.category == "garments" and not entry.kinds <= _TOPS for mark in marks for entry in mark.entries
+    )
+
+
+def _hem(marks: Sequence[WordMark], k: int) -> tuple[WordMark, Claim] | None:
+    mark = marks[k]
+    if mark.denied or mark.role != "word" or not mark.entries or mark.entries[0].category != "lengths":
+        return None
+    if any(m.role in _OTHERS or m.part in ("sleeves", "slit") for m in marks[max(0, k - _BESIDE) : k]):
+        return None
+    claims = [claim for entry in mark.entries for claim in entry.claims("certain")]
+    claim = next((c for c in claims if c.name == "skirt_hem" and c.value in _LONG), None)
+    if claim is None or (claim.value == "floor" and "full" in mark.word.lower()):
+        return None
+    return mark, claim
+
+
+def kinds_outgrown(words: WordReading) -> tuple[Claim, ...]:
+    """Kinds that a garment is too long for, although its name is one of them.
+
+    Args:
+        words: Of a text.
+    """
+    kind = next((i for i in words.implications if i.claim == Claim("kind", "dress")), None)
+    if kind is None or kind.mark.role != "garment":
+        return ()
+    names = frozenset().union(*[entry.kinds for entry in kind.mark.entries])
+    return tuple([Claim("kind", name) for name in sorted(_TOPS)]) if names and names <= _TOPS else ()
