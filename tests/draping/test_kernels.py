@@ -8,10 +8,10 @@ from hypothesis import strategies as st
 from swifttailor.body import Body
 from swifttailor.draping import FABRICS
 from swifttailor.draping.cloth import build_cloth
-from swifttailor.draping.contact_kernels import edge_hits_face, find_crossings
+from swifttailor.draping.contact_kernels import edge_hits_face, find_contacts, find_crossings
 from swifttailor.draping.field_kernels import sample_distance, sample_field
 from swifttailor.draping.intersections import crossing_pairs, mesh_intersections, self_intersections
-from swifttailor.draping.neighbor_lists import list_neighbors, no_neighbors
+from swifttailor.draping.neighbor_lists import MARGIN, list_neighbors, no_neighbors
 from swifttailor.draping.simulation import _contact_buffers
 from swifttailor.draping.xpbd_kernels import hinge_pulls, solve_hinges, solve_springs, spring_shares
 from swifttailor.panel_mesh import mesh_pattern
@@ -140,3 +140,37 @@ def test_listed_neighbours_hold_every_crossing(cloth):
     assert len(all_pairs) > 10
     assert found <= all_pairs
     assert len(found) >= 0.9 * len(all_pairs)
+
+
+def picked_pairs(x, cloth, tangled, lists):
+    """Reference: listed pairs that may come to touch, but for those of tangled cloth."""
+    found = []
+    for p, f in zip(lists.vertex[: lists.count], lists.face[: lists.count], strict=True):
+        corners = cloth.faces[f]
+        a, b, c = x[corners]
+        normal = np.cross(b - a, c - a)
+        height = (x[p] - a) @ normal / np.linalg.norm(normal)
+        s, t = np.linalg.pinv(np.stack([b - a, c - a], axis=1)) @ (x[p] - a)
+        near = abs(height) <= min(cloth.radius[p], cloth.radius[corners].max()) + MARGIN * cloth.spacing
+        if near and min(s, t, 1 - s - t) >= -0.3 and not (tangled[p] and tangled[corners].any()):
+            found.append((int(p), int(f), float(np.sign(height))))
+    return found
+
+
+def test_contacts_are_the_listed_pairs_that_are_near(cloth):
+    """A sheet folded over and pressed through itself, so that some of it is tangled."""
+    mesh, arrays = cloth
+    x = np.column_stack([mesh.flat_vertices, np.zeros(len(mesh.flat_vertices))])
+    half = x[:, 0] > 12.0
+    x[half] = np.column_stack(
+        [24.5 - x[half, 0] + 0.3, x[half, 1] + 0.2, 0.25 * (x[half, 0] - 12.0) - 1.0 + 0.05 * x[half, 1]]
+    )
+    buffers = _contact_buffers(len(x))
+    lists = list_neighbors(x, np.zeros_like(x), arrays, no_neighbors())
+    find_crossings(x, arrays, buffers, lists)
+    count = find_contacts(x, arrays, buffers, lists)
+    assert buffers.tangled.any()
+    found = zip(buffers.vertex[:count], buffers.face[:count], buffers.side[:count], strict=True)
+    expected = picked_pairs(x, arrays, buffers.tangled, lists)
+    assert 50 < len(expected) < lists.count
+    assert [(int(p), int(f), float(side)) for p, f, side in found] == expected

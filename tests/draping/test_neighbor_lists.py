@@ -8,7 +8,17 @@ from hypothesis import strategies as st
 import swifttailor
 from swifttailor.draping import FABRICS
 from swifttailor.draping.cloth import build_cloth
-from swifttailor.draping.neighbor_lists import MARGIN, has_moved, list_neighbors, no_neighbors
+from swifttailor.draping.neighbor_lists import (
+    AHEAD,
+    FOLDED,
+    MARGIN,
+    MAX_REACH,
+    MAX_SKIN,
+    SKIN,
+    has_moved,
+    list_neighbors,
+    no_neighbors,
+)
 from swifttailor.draping.spatial_grid import sort_into_cells
 from swifttailor.panel_mesh import mesh_pattern
 
@@ -52,6 +62,36 @@ def close_pairs(x, cloth, stretched):
     return found
 
 
+def listed_pairs(x, v, cloth):
+    """Reference: what is to be listed, every vertex against every face."""
+    speed = np.linalg.norm(v, axis=1)
+    skin = np.maximum(SKIN * cloth.spacing, np.minimum(2 * AHEAD * speed, MAX_SKIN * cloth.spacing))
+    reach = cloth.radius + MARGIN * cloth.spacing
+    half = np.linalg.norm(x[cloth.edges[:, 1]] - x[cloth.edges[:, 0]], axis=1) / 2
+    half = np.repeat(np.minimum(half, min(0.65 * cloth.rest.mean(), MAX_REACH)), 2)
+    np.maximum.at(reach, cloth.edges.ravel(), half)
+    reach += skin / 2
+    found = set()
+    for f, corners in enumerate(cloth.faces):
+        a, b, c = x[corners]
+        if np.ptp(x[corners], axis=0).max() > 4 * MAX_REACH:
+            continue
+        u, w, away = b - a, c - a, x - a
+        normal = np.cross(u, w) / np.linalg.norm(np.cross(u, w))
+        limit = reach + skin[corners].max() / 2
+        low, high = x[corners].min(axis=0), x[corners].max(axis=0)
+        near = (np.abs(away @ normal) <= limit) & (np.maximum(low - x, x - high).max(axis=1) <= limit)
+        s, t = np.linalg.pinv(np.stack([u, w], axis=1)) @ away.T
+        folded = (s >= FOLDED) & (t >= FOLDED) & (s + t <= 1 - FOLDED)
+        ring = np.isin(cloth.edges, corners)
+        beside = np.zeros(len(x), bool)
+        beside[cloth.edges[ring.any(axis=1)]] = True
+        near &= ~beside | folded
+        near[corners] = False
+        found |= {(int(p), f) for p in np.flatnonzero(near)}
+    return found
+
+
 @pytest.fixture(scope="module")
 def cloth():
     mesh = mesh_pattern(swifttailor.draft("tank-top").canonical(), 5.0)
@@ -76,6 +116,15 @@ def test_no_close_pair_is_missing_while_the_lists_are_valid(cloth, seed, speed):
     assert close_pairs(x + step, cloth, stretched | is_stretched(x + step, cloth)) <= set(pairs)
     step[0] *= 1.01
     assert has_moved(x + step, lists)
+
+
+@pytest.mark.parametrize("speed", [0.0, 200.0])
+def test_the_search_by_blocks_lists_what_looking_everywhere_does(cloth, speed):
+    x, v = crumpled(cloth, 5, speed)
+    lists = list_neighbors(x, v, cloth, no_neighbors())
+    pairs = set(zip(lists.vertex[: lists.count].tolist(), lists.face[: lists.count].tolist(), strict=True))
+    expected = listed_pairs(x, v, cloth)
+    assert len(expected) > 1000 and len(pairs ^ expected) <= 1e-4 * len(expected)
 
 
 def test_fast_vertices_get_a_longer_skin(cloth):

@@ -30,6 +30,7 @@ def find_contacts(x, cloth, contacts, lists):
     a, b, c = 0, 0, 0
     ux, uy, uz, wx, wy, wz, nx, ny, nz = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
     uu, uw, ww, inverse, square, thickest = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
+    is_clear = True
     for q in range(lists.count):
         p, f = lists.vertex[q], lists.face[q]
         if f != last:
@@ -40,6 +41,7 @@ def find_contacts(x, cloth, contacts, lists):
             nx, ny, nz = uy * wz - uz * wy, uz * wx - ux * wz, ux * wy - uy * wx
             square = nx * nx + ny * ny + nz * nz
             thickest = max(radius[a], radius[b], radius[c])
+            is_clear = contacts.tangled[a] + contacts.tangled[b] + contacts.tangled[c] == 0
             uu, uw, ww = (
                 ux * ux + uy * uy + uz * uz,
                 ux * wx + uy * wy + uz * wz,
@@ -49,20 +51,19 @@ def find_contacts(x, cloth, contacts, lists):
         dx, dy, dz = x[p, 0] - x[a, 0], x[p, 1] - x[a, 1], x[p, 2] - x[a, 2]
         d = dx * nx + dy * ny + dz * nz
         reach = min(radius[p], thickest) + MARGIN * cloth.spacing
-        if d * d > reach * reach * square:
-            continue
         pu, pw = dx * ux + dy * uy + dz * uz, dx * wx + dy * wy + dz * wz
         s = (ww * pu - uw * pw) * inverse
         t = (uu * pw - uw * pu) * inverse
-        if s < -0.3 or t < -0.3 or s + t > 1.3:
-            continue
-        if contacts.tangled[p] > 0 and contacts.tangled[a] + contacts.tangled[b] + contacts.tangled[c] > 0:
-            continue
-        if found < limit:
-            contacts.vertex[found] = p
-            contacts.face[found] = f
-            contacts.side[found] = 1.0 if d >= 0 else -1.0
-            found += 1
+        # Without branches, which would be mispredicted: every pair is written, and the next one over it
+        # unless it is kept.
+        near = (d * d <= reach * reach * square) & (s >= -0.3) & (t >= -0.3) & (s + t <= 1.3)
+        kept = near & ((contacts.tangled[p] == 0) | is_clear)
+        contacts.vertex[found] = p
+        contacts.face[found] = f
+        contacts.side[found] = 1.0 if d >= 0 else -1.0
+        found += 1 if kept else 0
+        if found == limit:
+            break
     return found
 
 
@@ -206,6 +207,39 @@ def _longest_half_edges(x, cloth):
 
 
 @njit(**FAST)
+def _pairs_within(x, faces, half_edge, lists, near):
+    """Numbers of the listed pairs whose vertex may be the nearer end of an edge through the face.
+
+    That end is within half the edge of where it passes through, so of the face's plane and of its box. There
+    are no branches, which would be mispredicted. Returns how many `near` is filled with.
+    """
+    count = 0
+    last = -1
+    ax, ay, az, nx, ny, nz, square = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
+    low0, low1, low2, high0, high1, high2 = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
+    for r in range(lists.count):
+        p, f = lists.vertex[r], lists.face[r]
+        if f != last:
+            last = f
+            a, b, c = faces[f, 0], faces[f, 1], faces[f, 2]
+            ax, ay, az = x[a, 0], x[a, 1], x[a, 2]
+            ux, uy, uz = x[b, 0] - ax, x[b, 1] - ay, x[b, 2] - az
+            wx, wy, wz = x[c, 0] - ax, x[c, 1] - ay, x[c, 2] - az
+            nx, ny, nz = uy * wz - uz * wy, uz * wx - ux * wz, ux * wy - uy * wx
+            square = nx * nx + ny * ny + nz * nz
+            low0, high0 = min(ax, x[b, 0], x[c, 0]), max(ax, x[b, 0], x[c, 0])
+            low1, high1 = min(ay, x[b, 1], x[c, 1]), max(ay, x[b, 1], x[c, 1])
+            low2, high2 = min(az, x[b, 2], x[c, 2]), max(az, x[b, 2], x[c, 2])
+        px, py, pz = x[p, 0], x[p, 1], x[p, 2]
+        d = (px - ax) * nx + (py - ay) * ny + (pz - az) * nz
+        off = max(max(low0 - px, px - high0), max(low1 - py, py - high1))
+        off = max(off, max(low2 - pz, pz - high2))
+        near[count] = r
+        count += 1 if (off <= half_edge[p]) & (d * d <= half_edge[p] * half_edge[p] * square) else 0
+    return count
+
+
+@njit(**FAST)
 def find_crossings(x, cloth, contacts, lists):
     """Finds edges of listed vertices that pass through the listed face, with the push that mends it.
 
@@ -216,10 +250,13 @@ def find_crossings(x, cloth, contacts, lists):
     limit = contacts.crossing_edge.shape[0]
     found = 0
     half_edge = _longest_half_edges(x, cloth)
+    near = np.zeros(lists.count + 1, np.int32)
+    near_count = _pairs_within(x, faces, half_edge, lists, near)
     last = -1
     a, b, c = 0, 0, 0
-    nx, ny, nz, square = 0.0, 0.0, 0.0, 0.0
-    for r in range(lists.count):
+    nx, ny, nz = 0.0, 0.0, 0.0
+    for s in range(near_count):
+        r = near[s]
         p, f = lists.vertex[r], lists.face[r]
         if f != last:
             last = f
@@ -227,11 +264,7 @@ def find_crossings(x, cloth, contacts, lists):
             ux, uy, uz = x[b, 0] - x[a, 0], x[b, 1] - x[a, 1], x[b, 2] - x[a, 2]
             wx, wy, wz = x[c, 0] - x[a, 0], x[c, 1] - x[a, 1], x[c, 2] - x[a, 2]
             nx, ny, nz = uy * wz - uz * wy, uz * wx - ux * wz, ux * wy - uy * wx
-            square = nx * nx + ny * ny + nz * nz
         dp = (x[p, 0] - x[a, 0]) * nx + (x[p, 1] - x[a, 1]) * ny + (x[p, 2] - x[a, 2]) * nz
-        # The nearer end of an edge through the plane is within half the edge of it.
-        if dp * dp > half_edge[p] * half_edge[p] * square:
-            continue
         for m in range(cloth.neighbor_start[p], cloth.neighbor_start[p + 1]):
             q = cloth.neighbors[m]
             dq = (x[q, 0] - x[a, 0]) * nx + (x[q, 1] - x[a, 1]) * ny + (x[q, 2] - x[a, 2]) * nz

@@ -9,11 +9,14 @@ import numpy as np
 from numba import njit
 
 from swifttailor.draping.compile_options import FAST
-from swifttailor.draping.spatial_grid import clamped_cell, sort_into_cells
+from swifttailor.draping.neighbor_blocks import blocks_of_faces, gather
+from swifttailor.draping.spatial_grid import sort_into_cells
 
 CELL = 1.0
-"""Size of a cell of the search. This, skins and the margin are in units of `ClothArrays.spacing`: the longer
-lists of a finer mesh would make its cost grow faster than its vertices."""
+"""Size of a cell of the search. This, blocks, skins and the margin are in units of `ClothArrays.spacing`: the
+longer lists of a finer mesh would make its cost grow faster than its vertices."""
+BLOCK = 2.0
+"""Size of the cells by which faces are taken together in the search."""
 SKIN = 0.5
 """Neighbour lists reach this much further than needed and stay valid until a vertex has moved half of it."""
 AHEAD = 1 / 60
@@ -38,6 +41,8 @@ class NeighborLists(NamedTuple):
     face: np.ndarray
     """(at least count,) ascending"""
     count: int
+    found: np.ndarray
+    """Room for vertices as they are found, block by block."""
     anchor: np.ndarray
     """(v, 3) cm; an empty array means that nothing is listed yet"""
     skin: np.ndarray
@@ -46,7 +51,8 @@ class NeighborLists(NamedTuple):
 
 def no_neighbors() -> NeighborLists:
     """Lists to begin with."""
-    return NeighborLists(np.zeros(4096, np.int32), np.zeros(4096, np.int32), 0, np.zeros((0, 3)), np.zeros(0))
+    vertex, face, found = (np.zeros(4096, np.int32) for _ in range(3))
+    return NeighborLists(vertex, face, 0, found, np.zeros((0, 3)), np.zeros(0))
 
 
 @njit(**FAST)
@@ -62,9 +68,11 @@ def has_moved(x, lists):
 
 
 @njit(**FAST)
-def _grown(array):
-    """The array with room for twice as many entries."""
-    larger = np.zeros(2 * len(array), array.dtype)
+def _with_room(array, count):
+    """The array, or a longer copy of it, so that it holds at least so many entries."""
+    if len(array) >= count:
+        return array
+    larger = np.zeros(2 * count, array.dtype)
     larger[: len(array)] = array
     return larger
 
@@ -102,65 +110,79 @@ def list_neighbors(x, v, cloth, lists):
             furthest_fast = max(furthest_fast, reach_of[i])
     slow_grid, fast_grid = sort_into_cells(x, slow, cell), sort_into_cells(x, ~slow, cell)
     beside = np.full(x.shape[0], -1, np.int32)  # the last face that a vertex is a surface neighbour of
-    vertex, face = lists.vertex, lists.face
+    # A triangle still stretched between two panels is in no block.
+    blocks = blocks_of_faces(x, faces, BLOCK * cloth.spacing, 4 * MAX_REACH)
+    near, ids = np.zeros((4, x.shape[0] + 1)), np.zeros(x.shape[0] + 1, np.int32)
+    hit, chosen = np.zeros(x.shape[0], np.uint8), np.zeros(x.shape[0] + 1, np.int32)
+    first, many = np.zeros(faces.shape[0], np.int32), np.zeros(faces.shape[0], np.int32)
+    low, high = np.zeros(3), np.zeros(3)
+    found = lists.found
     count = 0
+    for block in range(len(blocks.start) - 1):
+        begin, end = blocks.start[block], blocks.start[block + 1]
+        if begin == end:
+            continue
+        low[:], high[:] = np.inf, -np.inf
+        extra = 0.0
+        for r in range(begin, end):
+            for corner in range(3):
+                p = faces[blocks.ids[r], corner]
+                extra = max(extra, 0.5 * skin[p])
+                for k in range(3):
+                    low[k], high[k] = min(low[k], x[p, k]), max(high[k], x[p, k])
+        around = gather(slow_grid, x, reach_of, low, high, furthest_slow, extra, near, ids, 0)
+        around = gather(fast_grid, x, reach_of, low, high, furthest_fast, extra, near, ids, around)
+        found = _with_room(found, count + around * (end - begin) + 1)
+        for r in range(begin, end):
+            f = blocks.ids[r]
+            a, b, c = faces[f, 0], faces[f, 1], faces[f, 2]
+            ax, ay, az = x[a, 0], x[a, 1], x[a, 2]
+            low0, high0 = min(ax, x[b, 0], x[c, 0]), max(ax, x[b, 0], x[c, 0])
+            low1, high1 = min(ay, x[b, 1], x[c, 1]), max(ay, x[b, 1], x[c, 1])
+            low2, high2 = min(az, x[b, 2], x[c, 2]), max(az, x[b, 2], x[c, 2])
+            ux, uy, uz = x[b, 0] - ax, x[b, 1] - ay, x[b, 2] - az
+            wx, wy, wz = x[c, 0] - ax, x[c, 1] - ay, x[c, 2] - az
+            nx, ny, nz = uy * wz - uz * wy, uz * wx - ux * wz, ux * wy - uy * wx
+            norm = math.sqrt(nx * nx + ny * ny + nz * nz) + 1e-15
+            nx, ny, nz = nx / norm, ny / norm, nz / norm
+            uu, uw, ww = ux * ux + uy * uy + uz * uz, ux * wx + uy * wy + uz * wz, wx * wx + wy * wy + wz * wz
+            inverse = 1.0 / (uu * ww - uw * uw + 1e-20)
+            for corner in range(3):
+                p = faces[f, corner]
+                for m in range(cloth.neighbor_start[p], cloth.neighbor_start[p + 1]):
+                    beside[cloth.neighbors[m]] = f
+            extra = 0.5 * max(skin[a], skin[b], skin[c])
+            # These loops have no branches: the first is vectorised, the others would be mispredicted.
+            for s in range(around):
+                px, py, pz = near[0, s], near[1, s], near[2, s]
+                off = abs((px - ax) * nx + (py - ay) * ny + (pz - az) * nz)
+                off = max(off, max(low0 - px, px - high0))
+                off = max(off, max(low1 - py, py - high1))
+                off = max(off, max(low2 - pz, pz - high2))
+                hit[s] = 1 if off <= near[3, s] + extra else 0
+            hits = 0
+            for s in range(around):
+                chosen[hits] = s
+                hits += hit[s]
+            first[f] = count
+            for h in range(hits):
+                s = chosen[h]
+                p = ids[s]
+                dx, dy, dz = near[0, s] - ax, near[1, s] - ay, near[2, s] - az
+                pu, pw = dx * ux + dy * uy + dz * uz, dx * wx + dy * wy + dz * wz
+                g = (ww * pu - uw * pw) * inverse
+                t = (uu * pw - uw * pu) * inverse
+                # A surface neighbour matters only where the cloth is folded over onto itself; lying flat it
+                # has a barycentric coordinate of about -1.
+                flat = (p == a) | (p == b) | (p == c) | (g < FOLDED) | (t < FOLDED) | (g + t > 1.0 - FOLDED)
+                found[count] = p
+                count += 0 if flat & (beside[p] == f) else 1
+            many[f] = count - first[f]
+    vertex, face = _with_room(lists.vertex, count), _with_room(lists.face, count)
+    listed = 0
     for f in range(faces.shape[0]):
-        a, b, c = faces[f, 0], faces[f, 1], faces[f, 2]
-        low0, high0 = min(x[a, 0], x[b, 0], x[c, 0]), max(x[a, 0], x[b, 0], x[c, 0])
-        low1, high1 = min(x[a, 1], x[b, 1], x[c, 1]), max(x[a, 1], x[b, 1], x[c, 1])
-        low2, high2 = min(x[a, 2], x[b, 2], x[c, 2]), max(x[a, 2], x[b, 2], x[c, 2])
-        if not max(high0 - low0, high1 - low1, high2 - low2) <= 4 * MAX_REACH:
-            continue  # a triangle still stretched between two panels
-        ux, uy, uz = x[b, 0] - x[a, 0], x[b, 1] - x[a, 1], x[b, 2] - x[a, 2]
-        wx, wy, wz = x[c, 0] - x[a, 0], x[c, 1] - x[a, 1], x[c, 2] - x[a, 2]
-        nx, ny, nz = uy * wz - uz * wy, uz * wx - ux * wz, ux * wy - uy * wx
-        norm = math.sqrt(nx * nx + ny * ny + nz * nz) + 1e-15
-        nx, ny, nz = nx / norm, ny / norm, nz / norm
-        uu, uw, ww = ux * ux + uy * uy + uz * uz, ux * wx + uy * wy + uz * wz, wx * wx + wy * wy + wz * wz
-        inverse = 1.0 / (uu * ww - uw * uw + 1e-20)
-        for corner in range(3):
-            p = faces[f, corner]
-            for m in range(cloth.neighbor_start[p], cloth.neighbor_start[p + 1]):
-                beside[cloth.neighbors[m]] = f
-        extra = 0.5 * max(skin[a], skin[b], skin[c])
-        for k in range(2):
-            grid, furthest = (slow_grid, furthest_slow) if k == 0 else (fast_grid, furthest_fast)
-            if len(grid.ids) == 0:
-                continue
-            furthest += extra
-            i_last = clamped_cell(high0 + furthest, grid.low[0], grid.cell, grid.size[0])
-            j_first = clamped_cell(low1 - furthest, grid.low[1], grid.cell, grid.size[1])
-            j_last = clamped_cell(high1 + furthest, grid.low[1], grid.cell, grid.size[1])
-            k_first = clamped_cell(low2 - furthest, grid.low[2], grid.cell, grid.size[2])
-            k_last = clamped_cell(high2 + furthest, grid.low[2], grid.cell, grid.size[2])
-            for i in range(clamped_cell(low0 - furthest, grid.low[0], grid.cell, grid.size[0]), i_last + 1):
-                for j in range(j_first, j_last + 1):
-                    row = (i * grid.size[1] + j) * grid.size[2]
-                    for r in range(grid.start[row + k_first], grid.start[row + k_last + 1]):
-                        p = grid.ids[r]
-                        reach = reach_of[p] + extra
-                        px, py, pz = x[p, 0], x[p, 1], x[p, 2]
-                        dx, dy, dz = px - x[a, 0], py - x[a, 1], pz - x[a, 2]
-                        d = dx * nx + dy * ny + dz * nz
-                        if d > reach or d < -reach:
-                            continue
-                        if px < low0 - reach or px > high0 + reach or py < low1 - reach or py > high1 + reach:
-                            continue
-                        if pz < low2 - reach or pz > high2 + reach:
-                            continue
-                        if beside[p] == f:
-                            # A surface neighbour matters only where the cloth is folded over onto itself;
-                            # lying flat it has a barycentric coordinate of about -1.
-                            if p == a or p == b or p == c:
-                                continue
-                            pu, pw = dx * ux + dy * uy + dz * uz, dx * wx + dy * wy + dz * wz
-                            g = (ww * pu - uw * pw) * inverse
-                            t = (uu * pw - uw * pu) * inverse
-                            if g < FOLDED or t < FOLDED or g + t > 1.0 - FOLDED:
-                                continue
-                        if count == len(vertex):
-                            vertex, face = _grown(vertex), _grown(face)
-                        vertex[count], face[count] = p, f
-                        count += 1
+        for r in range(first[f], first[f] + many[f]):
+            vertex[listed], face[listed] = found[r], f
+            listed += 1
     anchor[:] = x
-    return NeighborLists(vertex, face, count, anchor, skin)
+    return NeighborLists(vertex, face, count, found, anchor, skin)
