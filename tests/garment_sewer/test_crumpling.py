@@ -226,6 +226,16 @@ def test_a_fold_may_touch_itself(sewer, monkeypatch, share, taken):
     assert np.array_equal(relaxing.relaxed(skirt).vertices, fallen) == taken
 
 
+def test_crossings_of_the_prediction_are_counted_only_where_they_matter(sewer, monkeypatch):
+    skirt = sewer.sew(draft("circle-skirt"), edge_length=6.0)
+    fallen = skirt.vertices - [0.0, 1.0, 0.0]
+    monkeypatch.setattr("swifttailor.draping.relax.relax", lambda one, **_: replace(one, vertices=fallen))
+    counted = []
+    monkeypatch.setattr(relaxing, "_crossings", lambda _, v: counted.append(v) or 0)
+    assert np.array_equal(relaxing.relaxed(skirt).vertices, fallen)
+    assert len(counted) == 1 and np.array_equal(counted[0], fallen)
+
+
 def test_garments_of_another_scale_fall_as_well(sewer):
     pattern, factor = draft("circle-skirt"), 0.7
     default = Body.default()

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from swifttailor.arrays import Floats, Ints
 from swifttailor.draping.fabric import Fabric
 from swifttailor.panel_mesh.pattern_mesh import PatternMesh
+from swifttailor.panel_mesh.topology import edge_keys, edges_of_keys
 
 _SPRING_FACTOR = (
     1.5  # an equilateral spring lattice of this stiffness has the membrane stiffness of the cloth
@@ -94,10 +95,11 @@ def build_cloth(mesh: PatternMesh, fabric: Fabric, *, press: bool = True) -> Clo
     halves = np.concatenate([faces[:, [k, (k + 1) % 3]] for k in range(3)])
     half_face = np.tile(np.arange(len(faces)), 3)
     half_side = np.repeat(np.arange(3), len(faces))
-    edges, edge_of = np.unique(np.sort(halves, axis=1), axis=0, return_inverse=True)
+    keys, edge_of = np.unique(edge_keys(halves), return_inverse=True)
+    edges = edges_of_keys(keys)
     # Swept in the order of the mesh, the solver pumps energy along it and long skirts never rest.
     shuffled = np.random.default_rng(0).permutation(len(edges))
-    edges = edges[shuffled].astype(np.int32)
+    edges = edges[shuffled]
     edge_of = np.argsort(shuffled)[edge_of.ravel()]
     half_length = lengths[half_face, half_side]
     shortest = np.full(len(edges), np.inf)

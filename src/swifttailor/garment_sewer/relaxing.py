@@ -119,8 +119,8 @@ def relaxed(
     seconds = fallen.report["seconds"]
     if crumpled < CRUMPLED_ALL_OVER and _slipped(garment, fallen) > SLIPPED_CM:
         return replace(garment, report=garment.report | {"not_relaxed": _SLIPPED, "seconds": seconds})
-    allowed = _crossings(garment.mesh, garment.vertices) + MORE_CROSSINGS * len(garment.mesh.faces)
-    if _crossings(garment.mesh, fallen.vertices) > allowed:
+    more = _crossings(garment.mesh, fallen.vertices) - MORE_CROSSINGS * len(garment.mesh.faces)
+    if more > 0 and more > _crossings(garment.mesh, garment.vertices):
         return replace(garment, report=garment.report | {"not_relaxed": _TANGLED, "seconds": seconds})
     return fallen
 

@@ -5,10 +5,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
 from swifttailor.arrays import Ints
+
+_KEY_BITS = 32
 
 
 @dataclass(frozen=True)
@@ -27,8 +30,22 @@ class Topology:
 def edge_faces(faces: Ints) -> tuple[Ints, Ints]:
     """Unique edges (e, 2), ascending, and the number of faces at each (e,)."""
     halves = np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]])
-    edges, count = np.unique(np.sort(halves, axis=1), axis=0, return_counts=True)
-    return edges.astype(np.int32), count.astype(np.int32)
+    keys, count = np.unique(edge_keys(halves), return_counts=True)
+    return edges_of_keys(keys), count.astype(np.int32)
+
+
+def edge_keys(halves: Ints) -> NDArray[np.int64]:
+    """(h,) a number for each edge (h, 2), whichever way it runs; they ascend as the edges do.
+
+    `numpy.unique` sorts numbers several times as fast as rows.
+    """
+    first, second = halves.min(axis=1), halves.max(axis=1)
+    return (first.astype(np.int64) << _KEY_BITS) | second
+
+
+def edges_of_keys(keys: NDArray[np.int64]) -> NDArray[np.int32]:
+    """(e, 2) the edges that have these `edge_keys` (e,), lower vertex first."""
+    return np.stack([keys >> _KEY_BITS, keys & ((1 << _KEY_BITS) - 1)], axis=1).astype(np.int32)
 
 
 def component_count(faces: Ints, vertex_count: int) -> int:
@@ -51,7 +68,7 @@ def topology(faces: Ints, vertex_count: int) -> Topology:
             np.concatenate([local.reshape(-1, 2), local.reshape(-1, 2)[:, :1]], axis=1), len(on_boundary)
         )
     halves = np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]])
-    _, directed = np.unique(halves, axis=0, return_counts=True)
+    directed = np.unique((halves[:, 0].astype(np.int64) << _KEY_BITS) | halves[:, 1], return_counts=True)[1]
     return Topology(
         components=component_count(faces, vertex_count),
         boundary_loops=loops,
