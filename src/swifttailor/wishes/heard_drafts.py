@@ -47,7 +47,8 @@ _AT_SHOULDERS = ("shoulders", "straps", "sleeves", "neckline", "collar", "hood")
 _BARE, _STAND, _TURTLENECK = Claim("shoulders", "strapless"), Claim("collar", "stand"), "turtleneck"
 _BARE_BACK = Claim("back_depth", "open")
 _OF_DETAILS: Mapping[str, tuple[str, ...]] = {
-    "coat": ("flare",),
+    "coat": ("flare", "lapels"),
+    "blazer": ("lapels",),
     "joggers": ("hip_ease", "leg_ease", "crotch_drop"),
 }
 """Options that a word about a detail tells of what another word names."""

@@ -20,6 +20,7 @@ from swifttailor.wishes.deep_cuffs import without_deep_cuffs
 from swifttailor.wishes.first_piece import first_piece
 from swifttailor.wishes.heard import HEARD_NOTHING, Heard
 from swifttailor.wishes.kind_of_details import (
+    fitting_the_name,
     skirts_of_dresses,
     with_one_band,
     within_the_name,
@@ -174,6 +175,7 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
     if words.language == ENGLISH:
         found = _without_guesses(text, with_both_arms(text, found), words)
     found = without_opposites(of_two_arms(of_one_arm(without_guessed_length(found, words))), words)
+    found = fitting_the_name(found, words)
     changes = _changes(found)
     slits = sum(isinstance(c, Gain) and c.claim.name == "slit" for c in changes)
     heard = [m.mention for m in measures if m.claim or (not m.mention.is_length and m.mention.value <= slits)]

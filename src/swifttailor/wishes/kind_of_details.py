@@ -13,6 +13,7 @@ from swifttailor.wording.lexicon import WordReading, exclude
 
 _NAMES = ("garment", "like", "second")
 _SKIRT = frozenset({"skirt"})
+_LOWER = frozenset({"skirt", "trousers", "shorts"})
 _UPPER = frozenset("sleeves sleeve_shape cuffs neckline neck_depth shoulders collar hood bodice".split())
 _WAISTBAND, _HEM_BAND = Claim("waistband", "waist"), Claim("waistband", "hem")
 
@@ -74,6 +75,26 @@ def within_the_name(found: Sequence[Wish], words: WordReading) -> tuple[Wish, ..
             or not any(exclude(wish.change.claim, other) for other in meant)
         ]
     )
+
+
+def fitting_the_name(found: Sequence[Wish], words: WordReading) -> tuple[Wish, ...]:
+    """Without what trousers, shorts and skirts cannot have, where such a name alone says what is asked for.
+
+    A detail never changes the kind: running shorts with slits at the sides are no skirt, and tailored
+    trousers no jumpsuit.
+    """
+    named = [
+        entry.kinds
+        for mark in words.marks
+        if mark.role == "garment" and not mark.denied
+        for entry in mark.entries
+    ]
+    kinds = frozenset().union(*named)
+    heard = {w.change.claim.value for w in found if isinstance(w.change, Gain) and _is_kind(w.change)}
+    if len(kinds) != 1 or not kinds <= _LOWER or not heard <= kinds or not all(named):
+        return tuple(found)
+    (kind,) = kinds
+    return tuple([w for w in found if not isinstance(w.change, Gain) or fits_kind(w.change.claim.name, kind)])
 
 
 def with_one_band(found: Sequence[Wish], words: WordReading) -> tuple[Wish, ...]:
