@@ -18,6 +18,7 @@ from swifttailor.wishes.heard_looks import look_refused
 from swifttailor.wishes.ribs import RIBBED
 from swifttailor.wishes.trims_wanted import TRIMS_OF, refused_trims, trims_wanted
 
+_CLOSES_NECKS = ("polo placket", "half zip", "waist placket")
 _CLOSED_BY_IT = ("open_front", "hooks")
 """What a front that is buttoned or zipped no longer lacks, where only a name means it."""
 
@@ -116,7 +117,7 @@ def _put_on(
             made |= {wish.what} if has and not wish.named else set()
     made |= {what for what, names in TRIMS_OF.items() if refused and refused.issuperset(names)}
     made |= set(RIBBED) if heard.ribs is not None else set()
-    closed = any(name in CLOSES_FRONT for name in trims)
+    closed = any(name in (*CLOSES_FRONT, *_CLOSES_NECKS) for name in trims)
     lacks = tuple(
         [
             lack

@@ -206,7 +206,7 @@ class Heard:
     def contradictions(self) -> tuple[tuple[str, str], ...]:
         """Pairs of words in it that cannot both be true."""
         found = () if self.words is None else self.words.contradictions
-        pairs = [(pair.first.word, pair.second.word) for pair in found]
+        pairs = [(_apart(pair.first, pair.second), _apart(pair.second, pair.first)) for pair in found]
         return tuple(dict.fromkeys([*pairs, *self.clashes]))
 
     @property
@@ -220,6 +220,12 @@ class Heard:
     def near(self) -> tuple[str, ...]:
         """Names of garments that are spelt like words that were not understood."""
         return near_names(self.unread)
+
+
+def _apart(mark: WordMark, other: WordMark) -> str:
+    """A word without the other that stands within it: of a "knee length maxi skirt" the knee length skirt."""
+    inside = mark.start <= other.start and other.end <= mark.end and mark is not other
+    return " ".join(mark.word.replace(other.word, "", 1).split()) if inside else mark.word
 
 
 _TURNED_DOWN = frozenset({"shirt_collar"})

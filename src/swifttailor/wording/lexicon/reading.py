@@ -35,6 +35,7 @@ _TOPS = frozenset(["top", "tunic"])
 _LOWER = {"skirt": "skirt", "trousers": "legs", "shorts": "legs"}
 """Kinds without an upper part, and what they have."""
 _MAXI = Claim("skirt_hem", "maxi")
+_STRAPLESS = Claim("shoulders", "strapless")
 _NOT_SHORT = frozenset(["knee", "below the knee", "midi"])
 _LONG: Mapping[Language, str | tuple[str, ...]] = {"it": "lung", "nl": "lang", "pt": ("long", "compri")}
 """How words for long begin, where they are not like the English one."""
@@ -396,7 +397,7 @@ def _contradictions(text: str, implied: Sequence[Implication]) -> tuple[Contradi
                 _against(one, other) or (certain and opposed(one.claim, other.claim))
             ):
                 continue
-            if _only_usual(one, other) or _only_usual(other, one):
+            if any(_only_usual(a, b) or _is_held(a, b) for a, b in ((one, other), (other, one))):
                 continue
             first, second = sorted((one.mark, other.mark), key=lambda mark: mark.start)
             if not of_two_places(text, (first.start, first.end), (second.start, second.end)):
@@ -406,9 +407,15 @@ def _contradictions(text: str, implied: Sequence[Implication]) -> tuple[Contradi
 
 def _only_usual(named: Implication, said: Implication) -> bool:
     """Whether the name of a garment has other sleeves than are said: coats may be had without any."""
-    if named.said or not said.said or named.claim.name != "sleeves":
+    if named.said or not said.said or named.claim.name != "sleeves" or named.claim.value == "none":
         return False
     return "sleeve" not in named.mark.word.lower()
+
+
+def _is_held(bare: Implication, strap: Implication) -> bool:
+    """Whether straps hold what usually has none: a sweetheart neckline on wide straps."""
+    usual = bare.claim == _STRAPLESS and bare.certainty == "usual"
+    return usual and strap.said and strap.claim.name in ("straps", "sleeves", "shoulders")
 
 
 def _against(one: Implication, other: Implication) -> bool:
