@@ -163,7 +163,17 @@ def test_of_a_wearer_alone_nothing_is_made(tailor, text):
     assert not isinstance(other, NothingAskedError)
 
 
-@pytest.mark.parametrize("text", ["hat", "a paisley scarf", "shoes for running", "blue curtains"])
+@pytest.mark.parametrize(
+    "text",
+    [
+        "hat",
+        "a paisley scarf",
+        "shoes for running",
+        "blue curtains",
+        "Can you fix the zip on my boots?",
+        "please mend my jacket",
+    ],
+)
 def test_what_is_no_garment_is_not_made(tailor, text):
     with pytest.raises(NothingAskedError, match="What can be made are tops, dresses"):
         tailor.generate(text)

@@ -239,6 +239,13 @@ def test_a_network_adds_nothing_that_words_speak_against(reader, text, never):
         ("shirt no arm for the gym", "tank top for the gym"),
         ("a vest, very big hole for arm", "a vest, deep armholes"),
         ("a long-ish skirt to mid calf", "a skirt to mid calf"),
+        ("a tight bodice open at the breast", "a tight bodice plunging neckline"),
+        ("a clergy shirt, black, tab collar", "a clergy shirt, black"),
+        ("a slip dress with a white t-shirt under it", "a slip dress over a white t-shirt"),
+        ("trousers tapering to an 18 cm opening", "trousers tapered legs, leg opening 18 cm"),
+        ("a skirt, waistband 3.5, side zip", "a skirt, 3.5 cm waistband, side zip"),
+        ("un décolleté en V devant et derrière", "un décolleté en V, dos en V"),
+        ("Kleid, V-Ausschnitt vorne und hinten", "Kleid, V-Ausschnitt, V-Rücken"),
     ],
 )
 def test_what_is_answered_or_likened_is_put_plainly(text, plain):

@@ -19,6 +19,7 @@ def stated(text, kind):
 @pytest.mark.parametrize(
     ("text", "kind", "claims"),
     [
+        ("tapered legs, leg opening 18 cm", "trousers", {"leg_width_cm": 36}),
         ("Trousers, inside leg 78, hem circumference 44", "trousers", {"inseam_cm": 78, "leg_width_cm": 44}),
         ("jeans with a 32 inseam", "trousers", {"inseam_cm": 81.28}),
         ("Two-tier skirt. First tier 30 cm. Total 75.", "skirt", {"tiers": 2, "skirt_length_cm": 75}),

@@ -21,6 +21,8 @@ from swifttailor.wording.lexicon import glossed, read_words
         ("mörkblå byxor med hög midja", "dark blue trousers with high waist"),
         ("ciemnozielony płaszcz z kapturem", "dark green coat with hood"),
         ("en florbig klänning", "florbig dress"),
+        ("синее платье-футляр с рукавом три четверти", "blue sheath dress with three-quarter sleeves"),
+        ("платье-мешок", "dress мешок"),
     ],
 )
 def test_foreign_wishes_are_put_into_english(text: str, english: str) -> None:

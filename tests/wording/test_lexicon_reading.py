@@ -475,3 +475,50 @@ def test_names_begin_from_what_they_look_like(text, draft, claims):
     reading = read_words(text)
     assert draft in {each.name for mark in reading.marks for e in mark.entries for each in e.drafts}
     assert claims <= {f"{i.claim.name}={i.claim.value}" for i in reading.implications}
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "a dress, very short, long sleeves",
+        "a short, long-sleeved dress",
+        "a sweetheart bodice with wide straps",
+        "a skirt for dance, big circle",
+        "trousers down to the floor",
+    ],
+)
+def test_what_is_said_of_two_things_is_no_contradiction(text):
+    assert not read_words(text).contradictions
+
+
+def test_shorts_to_the_floor_contradict_themselves():
+    (pair,) = read_words("Short trousers with long legs down to the floor").contradictions
+    assert (pair.first.word, pair.second.word) == ("Short trousers", "down to the floor")
+
+
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        ("a slip dress over a white t-shirt", True),
+        ("a pinafore over a striped tee", True),
+        ("a jacket to wear over my dress", False),
+        ("a cardigan that goes over any dress", False),
+    ],
+)
+def test_another_garment_beneath_is_told(text, told):
+    assert ("separate_pieces" in {lack.what for lack in read_words(text).lacks}) == told
+
+
+@pytest.mark.parametrize(
+    ("text", "what"),
+    [
+        ("a jacket with two tails", "tails"),
+        ("a mod shift, colour block", "color_blocks"),
+        ("a coat with toggles", "toggles"),
+        ("a jacket with huge shoulders", "shoulder_pads"),
+        ("trousers with zip-off legs", "zip_off"),
+        ("a knit in all colourways", "colorways"),
+    ],
+)
+def test_what_was_dropped_silently_is_told(text, what):
+    assert what in {lack.what for lack in read_words(text).lacks if lack.said}

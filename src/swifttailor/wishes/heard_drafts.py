@@ -60,6 +60,7 @@ _WHATEVER = NamedDraft("t-shirt", (("neck_widening", 0.7), ("chest_ease", 8.0), 
 _CLOSE = frozenset({Claim("fit", "close"), Claim("hips", "close")})
 _KNITTED, _CORDUROY = ("jersey", "rib-knit"), "twill"
 """Fabrics that stretch, and what corduroy is made as, which has ribs and does not."""
+_STRAPLESS = ("bandeau", "bustier", "strapless-dress", "strapless-jumpsuit")
 _SHAWL = ("lapels", "shawl")
 _SHAWL_CARDIGAN = NamedDraft(
     "blazer", (_SHAWL, ("chest_ease", 13.0), ("waist_shaping", 0.5), ("neck_depth", 28.0))
@@ -90,6 +91,8 @@ def drafts_of(heard: Heard) -> tuple[NamedDraft, ...]:
     long = is_long_top(heard)
     fitting = [straight_as_said(to_the_legs_as_said(d, heard.text, long=long), heard.text) for d in fitting]
     fitting = [low_as_asked(draft, sure) for draft in gored_as_said(fitting, heard.text)]
+    if any(claim.name == "straps" for claim in sure):
+        fitting = [draft for draft in fitting if draft.name not in _STRAPLESS] or fitting
     if asks_for_sailor_collar(entries):
         fitting = [with_sailor_collar(draft) for draft in fitting]
     fitting = [legs_as_said(draft, heard.text, _elastic(heard), heard.never) for draft in fitting]

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from swifttailor.wishes.heard import Heard
 from swifttailor.wishes.other_errands import is_an_errand, is_for_an_animal
 from swifttailor.wording.lexicon import WordMark, WordReading
@@ -12,6 +14,17 @@ _GO_WITH = frozenset("something anything outfit look wear wearing with match mat
 """Words of who has such a thing already, and wants a garment beside it."""
 _TELL_NO_GARMENT = frozenset({"function", "colors", "prints", "fabrics", "sizes", "occasions", "polite"})
 _POLITE = "polite"
+_ASKING = (
+    r"(?:(?:can|could|would|will|do) (?:you|u|somebody|anyone|they) (?:please |also |kindly )?"
+    r"|where can i (?:get|have) |how (?:do|can|should|to) (?:i |you |we )?|i need to (?:get |have )?)?"
+)
+_MENDED = re.compile(
+    rf"^\W*(?:(?:hi|hello|hey|please|kindly|pls)\W+)*{_ASKING}"
+    r"(?:fix|mend|repair|re-?stitch|patch up|wash|dry[- ]clean|iron|press|bleach|refund|re-?sole|polish|unjam"
+    r"|replace the zip)(?!\w)[^.;!?]{0,60}(?<!\w)(?:my|our|his|her|their|an? old|this|these)(?!\w)",
+    re.IGNORECASE,
+)
+"""What is asked to be done to clothes that are there."""
 _NO_GARMENT = (
     'No garment is asked for in "{text}". What can be made are tops, dresses, skirts, trousers and garments '
     "in one piece: name one{near}."
@@ -22,8 +35,9 @@ _FOR_ANIMALS = (
 )
 _WEARER_ALONE = 'Nothing but who wears it is said in "{text}". Say what is to be made, too{near}.'
 _NOTHING_KNOWN = (
-    'No garment is described in "{text}": no word of it is known. Name one in {languages}{near}; or let the '
-    "network guess, with --source writer."
+    'No garment is described in "{text}": no word of it is known. Name one in {languages}{near} (of '
+    "Polish, Russian, Japanese and others some words are known); or let the network guess, with "
+    "--source writer."
 )
 _LIKE = ', for example "a knee-length dress with short sleeves"'
 _SHOWN = 80
@@ -67,10 +81,13 @@ def asks_for_none(heard: Heard, text: str) -> str:
     others = [mark for mark in others if any(w in text.lower() for w in mark.word.lower().split())]
     if named and "household" in {what for e in named[0].entries for what in e.cannot}:
         others = [mark for mark in others if _is_of_garments(mark)]  # "curtains, lined, 2 m long"
+    others = [mark for mark in others if not (named and _is_put_on(mark))]  # the zip of boots
     if named and not guessed and not _names_a_garment(words, text):  # "a necklace with a heart"
         others = []
     go_with = _GO_WITH if guessed else _GO_WITH - {"with"}
     beside = any(mark.word.lower() in go_with for mark in words.marks)
+    if _MENDED.search(text):
+        return _NO_GARMENT.format(text=quoted, near=_LIKE)
     return _NO_GARMENT.format(text=quoted, near=_LIKE) if named and not others and not beside else ""
 
 
@@ -78,6 +95,13 @@ def _names_a_garment(words: WordReading, text: str) -> bool:
     """Whether a text itself does; what an occasion stands for is written before it."""
     named = [mark for mark in words.marks if mark.role == "garment" and not mark.denied]
     return any(mark.word.lower() in text.lower() for mark in named)
+
+
+def _is_put_on(mark: WordMark) -> bool:
+    """Whether a word names what is put on anything sewn, and tells nothing of how that is cut."""
+    return _category(mark) == "styles" and all(
+        e.cannot and not e.implied and not e.drafts for e in mark.entries
+    )
 
 
 def _is_of_garments(mark: WordMark) -> bool:

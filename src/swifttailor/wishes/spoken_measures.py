@@ -76,6 +76,11 @@ class SpokenMeasure:
     """None where it is a measure that is not made."""
 
 
+_FOOT_CM = 26.0
+_FLAT = re.compile(r"(?<!\w)(?:openings?|flat)(?!\w)")
+"""Openings of legs that no foot goes through are measured across, laid flat."""
+
+
 def spoken_measures(text: str, kind: str | None) -> list[SpokenMeasure]:
     """Measures that a text states.
 
@@ -265,6 +270,8 @@ def _said_of(
             value = round(value - _CROTCH_CM, 2)
     if not mention.is_length and claim == "inseam_cm" and value < _INCHES_BELOW and kind != "shorts":
         value = round(value * CM_PER_INCH, 2)
+    if claim == "leg_width_cm" and value < _FOOT_CM and _FLAT.search(text, start, end):
+        value = round(2 * value, 2)
     if claim in _LONGEST and value > _LONGEST[claim] and _HEM.search(text, start, end):
         claim = "hem_cm"  # no skirt is so long: "flare the hem to 320 cm"
     least, most = _BOUNDS.get(claim, _USUAL)

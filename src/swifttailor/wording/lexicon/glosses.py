@@ -124,11 +124,23 @@ def _pieces(text: str, known: _Glossary) -> Iterator[_Piece]:
         for count in range(min(_LONGEST_PHRASE, len(tokens) - k), 0, -1):
             said = " ".join(tokens[k : k + count])
             english = _gloss(said.lower(), known)
+            if (
+                english is None and count == 1 and "-" in said
+            ):  # "платье-мешок" is a dress, whatever else it is
+                yield from _of_parts(said, known)
+                k += count
+                break
             if english is not None or count == 1:
                 punctuation = not said[0].isalnum()
                 yield _Piece(said, said if punctuation and english is None else english)
                 k += count
                 break
+
+
+def _of_parts(said: str, known: _Glossary) -> Iterator[_Piece]:
+    """The parts of a word with hyphens, where one of them has a gloss; else the word."""
+    parts = [_Piece(part, _gloss(part.lower(), known)) for part in said.split("-") if part]
+    yield from parts if any(part.english for part in parts) else [_Piece(said, None)]
 
 
 def _within(run: str, known: _Glossary) -> Iterator[_Piece]:

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Literal
 
+from swifttailor.wording.lexicon.conflicts import exclude
 from swifttailor.wording.lexicon.entries import Entry
 from swifttailor.wording.lexicon.inflection import Language
 from swifttailor.wording.lexicon.marking import Found
@@ -260,7 +261,7 @@ def _said_of(
             return replace(words[k], entries=(senses[0].entry,), role="astray")
     for target in _targets(words, k, known):
         fitting = _fitting(senses, _names(words[target]))
-        if fitting:
+        if fitting and not _is_otherwise(fitting, words[target]):
             return replace(words[k], entries=fitting, target=target, part=words[k].part or fitting[0].part)
     fitting = _fitting(senses, frozenset([kind])) if kind is not None else ()
     if fitting:
@@ -272,6 +273,14 @@ def _said_of(
         (f for each in ("dress", "top", "trousers") if (f := _fitting(senses, frozenset([each])))), None
     )
     return replace(words[k], entries=(usual[0] if usual else senses[0].entry,), guessed=True)
+
+
+def _is_otherwise(entries: Sequence[Entry], word: Meaning) -> bool:
+    """Whether a detail is another way by its own name: "very short, long sleeves" is no length of sleeves."""
+    if word.category != "styles":
+        return False
+    own = [claim for entry in word.entries for claim in entry.claims("certain")]
+    return any(exclude(a, b) for entry in entries for a in entry.claims("certain") for b in own)
 
 
 def _names(word: Meaning) -> frozenset[str]:

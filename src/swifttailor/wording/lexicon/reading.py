@@ -21,6 +21,7 @@ from swifttailor.wording.lexicon.odd_ones import odd_ones
 from swifttailor.wording.lexicon.said_looks import WHOLE, SaidLook, said_looks
 from swifttailor.wording.lexicon.two_places import of_two_places
 from swifttailor.wording.lexicon.vocabulary import vocabulary
+from swifttailor.wording.lexicon.worn_with import is_worn_with
 from swifttailor.wording.word_tables import Dialect
 
 SURENESS: Mapping[Certainty, float] = {"certain": 0.97, "usual": 0.85, "likely": 0.6}
@@ -34,6 +35,7 @@ _TOLD_BY: Mapping[bool, tuple[Certainty, ...]] = {True: ("certain", "usual"), Fa
 _TOPS = frozenset(["top", "tunic"])
 _LOWER = {"skirt": "skirt", "trousers": "legs", "shorts": "legs"}
 """Kinds without an upper part, and what they have."""
+_SHORTS, _TO_THE_FEET = Claim("kind", "shorts"), Claim("leg_hem", "full")
 _MAXI = Claim("skirt_hem", "maxi")
 _STRAPLESS = Claim("shoulders", "strapless")
 _NOT_SHORT = frozenset(["knee", "below the knee", "midi"])
@@ -195,7 +197,7 @@ def _reading(text: str, language: Language, kind: str | None, dialect: Dialect |
         tuple(marks),
         tuple(kept),
         tuple(never),
-        _lacks(meant),
+        _lacks(meant, text),
         _contradictions(text, implied),
         tuple([color for _, color in colors]),
         tuple([entry.print for mark in meant for entry in mark.entries if entry.print is not None]),
@@ -364,21 +366,18 @@ def _fitting_kind(kept: Sequence[Implication], kind: str | None) -> list[Implica
     ]
 
 
-def _lacks(marks: Sequence[WordMark]) -> tuple[Lack, ...]:
+def _lacks(marks: Sequence[WordMark], text: str) -> tuple[Lack, ...]:
     found: dict[str, Lack] = {}
     for mark in marks:
-        if mark.role in ("theirs", "astray"):
+        if mark.role == "astray":
             continue
-        for entry in mark.entries:
+        for entry in mark.entries if mark.role != "theirs" else ():
             for what in () if mark.role == "second" and entry.category == "garments" else entry.cannot:
                 said = mark.role not in ("garment", "like")
                 if what not in found or (said and not found[what].said):
                     found[what] = Lack(what, said, mark)
-        if (
-            mark.role == "second"
-            and "separate_pieces" not in found
-            and mark.entries[0].category == "garments"
-        ):
+        beside = mark.role == "second" or (mark.role == "theirs" and is_worn_with(text[: mark.start]))
+        if beside and "separate_pieces" not in found and mark.entries[0].category == "garments":
             found["separate_pieces"] = Lack("separate_pieces", True, mark)
     return tuple(found.values())
 
@@ -390,6 +389,10 @@ def _contradictions(text: str, implied: Sequence[Implication]) -> tuple[Contradi
     """
     sure = [i for i in implied if i.certainty in _TOLD_BY[i.said] and i.claim.name != "kind"]
     found: dict[tuple[int, int], Contradiction] = {}
+    short = next((i for i in implied if i.claim == _SHORTS and not i.said), None)
+    for each in sure if short is not None else ():
+        if short is not None and each.said and each.claim == _TO_THE_FEET and each.certainty == "certain":
+            found[short.mark.start, each.mark.start] = Contradiction(short.mark, each.mark)
     for k, one in enumerate(sure):
         for other in sure[k + 1 :]:
             certain = one.certainty == other.certainty == "certain"
