@@ -148,6 +148,10 @@ def test_a_description_of_which_nothing_is_understood_is_to_be_looked_at(tailor)
     assert not tailor.generate("a T-shirt", attempts=1).needs_a_look
 
 
+def test_a_cloth_alone_tells_no_garment(tailor):
+    assert any("this one is a guess" in note for note in tailor.generate("sackcloth", attempts=1).notes)
+
+
 @pytest.mark.parametrize("text", ["asdf qwer", "გრძელი ქვედაბოლო", "???", "sofa cover"])
 def test_of_what_nobody_understands_nothing_is_made(tailor, text):
     with pytest.raises(NothingAskedError, match="no word of it is known") as refused:

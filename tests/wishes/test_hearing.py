@@ -602,3 +602,8 @@ def test_curtains_are_none_however_they_are_described(reader: WishReader) -> Non
     assert asks_for_none(heard, heard.text)
     heard = hear_description("a dress made of an old curtain", reader)
     assert not asks_for_none(heard, heard.text)
+
+
+def test_a_laced_front_is_no_slit(reader):
+    heard = hear_description("a high waisted velvet gown in dark red, laced front, floor length", reader)
+    assert not any(w.change.claim.name == "slit" for w in heard.sure if hasattr(w.change, "claim"))

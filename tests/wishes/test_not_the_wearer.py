@@ -18,6 +18,8 @@ from swifttailor.wishes.wearer_words import hear_wearer
         "girls night out top",
         "dresses for the girls in our tearoom",
         "boy shorts",
+        "a magical girl outfit",
+        "flapper girl dress",
         "the gown that the girl in the film wears",
         "a petite floral print dress",
         "a skirt with a curvy hem",

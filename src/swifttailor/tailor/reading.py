@@ -161,7 +161,11 @@ class Wanted:
     def kind_is_guessed(self) -> bool:
         """Whether a garment is described, and nothing in text or pictures tells which it is."""
         described = self.order.edit is None and bool(one_line(self.order.text)) and not self.order.images
-        return self.order.alter and described and (self.heard.kind is None or bool(self.heard.guess))
+        words = self.heard.words
+        unsaid = words is not None and not words.implications and not self.heard.sure  # "sackcloth"
+        return (
+            self.order.alter and described and (self.heard.kind is None or bool(self.heard.guess) or unsaid)
+        )
 
     @cached_property
     def sought(self) -> Sought:

@@ -307,6 +307,8 @@ def _without_guesses(text: str, found: Iterable[Wish], words: WordReading) -> tu
                 continue
             if claim.name == "hips" and kinds == {"top"}:
                 continue
+            if claim.name == "slit" and "lacing" in lacking and not _SLITS.search(text):  # a laced front
+                continue
             if claim.name == "slit" and wish.certainty < SURE and not (words.unknown or _SLITS.search(text)):
                 continue
         kept.append(wish)

@@ -39,6 +39,8 @@ _HIDDEN = tuple(
             rf"(?<![\w-])(?:the|that|this) {_OTHERS}s? (?:in|from|on|of|with)(?!\w)",
             rf"(?<![\w-])(?:petite|curvy|plus[- ]sized?|XXS|XS|XL|XXL|2XL) (?:{_DETAILS})(?!\w)",
             r"(?<![\w-])size \d{1,3} (?:buttons?|needles?|hooks?|zips?|snaps?|yarn|thread)(?!\w)",
+            r"(?<![\w-])(?:magical|anime|manga|flapper|Gibson|chorus|saloon|cigarette|goth|emo|punk|farm|disco"
+            r"|jazz|go-?go|show|dancing|harem|slave|pop) ?girls?(?='?s?(?!\w))(?! (?:aged?|of|size))",
             r"(?<![\w-])(?:give|for|of|with|to|lets?|help|make|send|show|both|all|like) us(?!\w)(?! size)",
         )
     ]
