@@ -27,7 +27,6 @@ from swifttailor.wording.lexicon.look_words import (
     part_of_garment,
     put_on,
 )
-
 from swifttailor.wording.lexicon.vocabulary import vocabulary
 
 if TYPE_CHECKING:
@@ -276,7 +275,12 @@ class _Reader:
 
     def _is_said(self, j: int, links: Sequence[str], k: int) -> bool:
         """Whether a look behind the part j is its own: that of "a dress with long sleeves in navy" is not."""
-        if set(links) & _SAYS_SO or self._is_made_of(k) or not self._names_garment or (links == [] and not self._goes_on(j, k)):
+        if (
+            set(links) & _SAYS_SO
+            or self._is_made_of(k)
+            or not self._names_garment
+            or (links == [] and not self._goes_on(j, k))
+        ):
             return True
         if j and self._marks[j - 1].word.lower().split()[-1] in _DEFINITE:
             return True
