@@ -94,3 +94,16 @@ def test_a_print_has_all_colours_that_its_name_says() -> None:
     assert found is not None
     assert len(set(found.colors)) == 4
     assert "#f0b63f" in found.colors
+
+
+@pytest.mark.parametrize(
+    ("text", "kind", "colors"),
+    [
+        ("a broderie anglaise blouse", "dots", ("#f7f6f1", "#b4b1aa")),
+        ("a crochet top", "dots", ("#f2ebde", "#b3a48f")),
+        ("sequin mini skirt silver", "dots", ("#c0c0c0", "#d9d9d9")),
+    ],
+)
+def test_holes_and_sequins_are_in_the_colour_of_their_cloth(text, kind, colors):
+    found = heard_print(text, read_words(text))
+    assert found is not None and (found.kind, found.colors) == (kind, colors)

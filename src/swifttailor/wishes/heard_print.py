@@ -62,6 +62,8 @@ _STRIPED_DOWN = frozenset(
 """Drafts of garments whose stripes run down, where no more is said of them; knitted ones are hooped."""
 _SHIRTING_CM = 1.2
 """So wide are stripes of shirts and trousers, where no more is said of them."""
+_SEQUINS, _GLINT = "embroidery", 0.4
+"""What sequins are in `cannot.txt`, and how much of white is in their glints."""
 _BEHIND = 24
 """Characters behind the name of a print in which its size may stand."""
 _SIZE = {"stripes": ("width", "gap"), "checks": ("width",), "plaid": ("spacing",), "motif": ("repeat",)}
@@ -159,7 +161,7 @@ def _colors(
     elif len(named) == 1 and kind in ("dots", "motif") and _is_of_figures(text, marks[0], mark):
         named = [_LIGHT, named[0]]
     if len(named) == 1 and len(inks) > 1:  # a red hi-vis vest has silver bands
-        named.append(inks[1])
+        named.append(_mixed("#ffffff", named[0], _GLINT) if _glints(mark) else inks[1])
     if len(named) == 1:
         named.append(_LIGHT if _brightness(named[0]) < _LIGHT_FROM else _DARK)
     if kind == "plaid" and len(named) == 2:
@@ -171,6 +173,11 @@ def _colors(
         while len(named) < 4:
             named.append(_mixed(named[0], named[1], 0.35 * (len(named) - 1)))
     return tuple(named[:4] if kind == "motif" else named[:3] if kind == "plaid" else named[:2])
+
+
+def _glints(mark: WordMark) -> bool:
+    """Whether it names sequins, which glint in the colour that they have."""
+    return any(_SEQUINS in entry.cannot for entry in mark.entries)
 
 
 def _start(text: str, mark: WordMark) -> int:
