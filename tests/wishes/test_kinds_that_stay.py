@@ -104,3 +104,15 @@ def test_shoes_that_are_worn_with_it_are_no_garment(hear):
 def test_a_costume_is_what_it_is_said_to_be(hear, text, kind):
     heard = hear(text)
     assert heard.kind == kind and "separate_pieces" not in {lack.what for lack in heard.lacks}
+
+
+def test_a_rope_round_a_tunic_is_a_belt_and_at_trousers_a_drawstring(hear):
+    assert "belt" in {lack.what for lack in hear("a brown tunic with a rope belt").lacks}
+    assert "drawstring" in {lack.what for lack in hear("linen trousers with a rope belt").lacks}
+
+
+@pytest.mark.parametrize(
+    ("text", "color"), [("jeans in a dark wash", "#22304a"), ("a black tie jumpsuit", "#18181b")]
+)
+def test_washes_and_dress_codes_have_their_colours(hear, text, color):
+    assert hear(text).color == color
