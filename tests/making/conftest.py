@@ -63,6 +63,8 @@ TRIMMED = {
     "slip": ("fitted-dress", ("lace trim", "waist bow")),
     "suit trousers": ("trousers", ("fly", "creases", "front pleats", "stirrups", "side stripes")),
     "hakama": ("pull-on-trousers", ("pleat lines",)),
+    "keyhole top": ("t-shirt", ("keyhole", "back keyhole")),
+    "police shirt": ("shirt", ("epaulettes",)),
     "cheongsam": ("fitted-dress", ("diagonal closing",)),
     "hospital gown": ("shift-dress", ("back ties",)),
     "smock": ("t-shirt", ("back buttons", "back bow")),

@@ -89,6 +89,18 @@ def test_names_of_dresses_mean_what_they_are_known_by(text, trims):
 
 
 @pytest.mark.parametrize(
+    ("text", "trim"),
+    [
+        ("a keyhole neck top", "keyhole"),
+        ("a dress with a keyhole back", "back keyhole"),
+        ("a police shirt with epaulettes", "epaulettes"),
+    ],
+)
+def test_openings_at_the_neck_and_tabs_on_shoulders_are_put_on(text, trim):
+    assert any(trim in wish.choices[0] for wish in trims_wanted(heard(text)))
+
+
+@pytest.mark.parametrize(
     ("text", "pleated"),
     [
         ("pleat front bermudas", True),

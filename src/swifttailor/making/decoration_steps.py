@@ -32,6 +32,11 @@ _RIPS = (
     "Cut across each mark of a rip with a few cuts from side to side, and draw out the threads that run up "
     "and down between them. Leave those that run across. Sew around the marks, so that they tear no further.",
 )
+_KEYHOLE = (
+    "Keyhole",
+    "Face the marked drop before the neck is finished: sew a piece of cloth to it along the mark, cut the "
+    "drop out, turn the facing in, and close the neck above it with a button and a loop.",
+)
 _OTHERS: Mapping[str, tuple[str, str]] = {
     "neck cord": (
         "Cord at the neck",
@@ -80,6 +85,14 @@ _OTHERS: Mapping[str, tuple[str, str]] = {
         "Bow at the back",
         "Cut two bands of 90 by 14 cm, fold them lengthwise, sew and turn them. Catch them in the side seams "
         "at the waist, and tie them behind.",
+    ),
+    "keyhole": _KEYHOLE,
+    "back keyhole": _KEYHOLE,
+    "epaulettes": (
+        "Epaulettes",
+        "Cut four tabs of the marked halves, laid together along the shoulder, with allowances. Sew two and "
+        "two together but for their straight ends, turn them, catch these in the seams of the armholes, and "
+        "button the others beside the neck.",
     ),
     "lacing": (
         "Lacing",

@@ -50,6 +50,9 @@ TRIMS_OF: Mapping[str, tuple[str, ...]] = {
     "back_lacing": ("back lacing",),
     "asymmetric_closing": ("diagonal closing",),
     "knee_patches": ("knee patches",),
+    "keyhole": ("keyhole",),
+    "keyhole_back": ("back keyhole",),
+    "epaulettes": ("epaulettes",),
     "raw_hem": ("rips", *_KNEE_RIPS, "frayed hem"),
 }
 """By key of what cannot be made of panels, which trims can stand for it."""
