@@ -7,8 +7,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from swifttailor.describing.claims import Claim
+from swifttailor.describing.differences import Gain
 from swifttailor.wishes.spoken_hems import spoken_bounds, spoken_hem, spoken_slit
-from swifttailor.wishes.spoken_measures import spoken_measures
+from swifttailor.wishes.spoken_measures import can_measure, spoken_measures
 from swifttailor.wording.lexicon import read_words
 
 
@@ -119,3 +120,8 @@ def test_bounds_and_slits():
 def test_a_number_behind_a_comma_is_of_what_stands_right_behind_it():
     (said,) = spoken_measures("skirt, knee length, 15 cm slit at the back", "skirt")
     assert said.claim == Claim("slit_cm", 15.0)
+
+
+def test_no_sleeve_is_as_long_as_a_length_of_cloth():
+    assert not can_measure(Gain(Claim("sleeve_cm", 200.0)))
+    assert can_measure(Gain(Claim("sleeve_cm", 60.0))) and can_measure(Gain(Claim("sleeves", "long")))

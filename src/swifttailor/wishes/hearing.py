@@ -43,7 +43,7 @@ from swifttailor.wishes.sayings_of_wishes import plainly_wished, without_asides
 from swifttailor.wishes.side_remarks import without_side_remarks
 from swifttailor.wishes.spoken_faces import spoken_faces
 from swifttailor.wishes.spoken_hems import spoken_bounds, spoken_hem, spoken_slit
-from swifttailor.wishes.spoken_measures import SpokenMeasure, same_number, spoken_measures
+from swifttailor.wishes.spoken_measures import SpokenMeasure, can_measure, same_number, spoken_measures
 from swifttailor.wishes.spoken_of import is_of_places
 from swifttailor.wishes.spoken_sides import spoken_sides, without_spans
 from swifttailor.wishes.sureness import likely_wishes, sure_wishes
@@ -124,7 +124,7 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
     slit = spoken_slit(text, words)
     if slit is not None and (named is None or fits_kind(slit.name, named)):
         said.append(slit)
-    network = [w for w in network if not is_against_phrase(w, words)]
+    network = [w for w in network if not is_against_phrase(w, words) and can_measure(w.change)]
     against = against_names(words)
     refused = (*words.never, *_with_parts(words), *refused_frills(words), *against.values())
     refused = (*refused, *kinds_outgrown(words))

@@ -81,6 +81,14 @@ _FLAT = re.compile(r"(?<!\w)(?:openings?|flat)(?!\w)")
 """Openings of legs that no foot goes through are measured across, laid flat."""
 
 
+def can_measure(change: Change) -> bool:
+    """Whether a garment can have such a measure: no sleeve is two metres long, as a length of cloth may be."""
+    if not isinstance(change, Gain) or isinstance(change.claim.value, str):
+        return True
+    least, most = _BOUNDS.get(change.claim.name, (0.0, float("inf")))
+    return least <= float(change.claim.value) <= most
+
+
 def spoken_measures(text: str, kind: str | None) -> list[SpokenMeasure]:
     """Measures that a text states.
 

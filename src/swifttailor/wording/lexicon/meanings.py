@@ -44,6 +44,7 @@ _PART_OF = {
 }
 """Kinds that are a part of others: "a dress with a wide skirt"."""
 
+_HEMS = frozenset({"skirt_hem", "top_hem", "leg_hem"})
 _REACH = 80
 """No word is said of one that stands further off: long texts take time in proportion to their length."""
 
@@ -255,7 +256,7 @@ def _said_of(
     little = little_behind(words, k)
     if little is not None and not _fitting(senses, _names(words[little])):
         return replace(words[k], entries=(senses[0].entry,), role="astray")
-    if senses[0].entry.category == "lengths" and tells_how_far(words, k):
+    if _ends_somewhere(senses) and tells_how_far(words, k):
         slit = _fitting(senses, frozenset({"slit"}))
         if not slit:
             return replace(words[k], entries=(senses[0].entry,), role="astray")
@@ -273,6 +274,12 @@ def _said_of(
         (f for each in ("dress", "top", "trousers") if (f := _fitting(senses, frozenset([each])))), None
     )
     return replace(words[k], entries=(usual[0] if usual else senses[0].entry,), guessed=True)
+
+
+def _ends_somewhere(senses: Sequence[Sense]) -> bool:
+    """Whether a word tells how far down a garment goes, whatever it is said of: "to the knee", "long"."""
+    claims = [claim for sense in senses for claim in sense.entry.claims("certain")]
+    return senses[0].entry.category == "lengths" and any(claim.name in _HEMS for claim in claims)
 
 
 def _is_otherwise(entries: Sequence[Entry], word: Meaning) -> bool:
