@@ -228,7 +228,7 @@ def test_a_network_adds_nothing_that_words_speak_against(reader, text, never):
         ("the play is set in a mill", "the play in a mill"),
         ("trousers, wide legs from the hip, cuffed", "trousers, wide legs from the hip, turn ups"),
         ("polo, 180 gsm, slim", "polo,, slim"),
-        ("a knit in 12 colours, slim", "a knit , slim"),
+        ("a knit in 12 colours, slim", "a knit , colourways, slim"),
         ("a knit, offered in oat and rust; please show it in rust", "a knit,, in rust, colourways"),
         ("a knit, available in navy, black and cream", "a knit,, in navy, colourways"),
         ("a red dress, black at the neck", "a red dress, with a black neckline"),

@@ -141,9 +141,9 @@ def _begun(heard: Heard, entries: Sequence[Entry], sure: Sequence[Claim]) -> lis
     if not named and heard.kind in (None, "top") and _tells_no_garment(heard):
         fitting = [draft_as_asked(_WHATEVER, sure)]
     elif not any(fitting):  # a blouse without a collar has nothing of the shirt that blouses begin from
-        own = "tunic" if is_long_top(heard) else heard.kind
-        kinds = [e for e in entries if own in e.kinds and (named or not e.drafts)]
-        fitting = [draft_of_name(entry, own or "", sure) for entry in kinds]
+        own = ("tunic", "top") if is_long_top(heard) else (heard.kind,)
+        kinds = [(e, k) for e in entries for k in own if k in e.kinds and (named or not e.drafts)]
+        fitting = [draft_of_name(entry, kind or "", sure) for entry, kind in kinds]
         if _says_details(heard) and not any(heard.kind in entry.kinds for entry in heard.meant):
             fitting = [draft_of_kind(heard.kind, sure)]
     return [as_not_refused(draft, heard.never) for draft in fitting if draft is not None]

@@ -82,7 +82,7 @@ _FLAT = re.compile(r"(?<!\w)(?:openings?|flat)(?!\w)")
 
 
 def can_measure(change: Change) -> bool:
-    """Whether a garment can have such a measure: no sleeve is two metres long, as a length of cloth may be."""
+    """Whether a garment can have such a measure: no sleeve is two metres long, as lengths of cloth are."""
     if not isinstance(change, Gain) or isinstance(change.claim.value, str):
         return True
     least, most = _BOUNDS.get(change.claim.name, (0.0, float("inf")))

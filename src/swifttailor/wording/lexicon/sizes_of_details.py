@@ -49,7 +49,7 @@ def little_behind(words: Sequence[Meaning], k: int) -> int | None:
         if words[j].is_noun:
             name = words[j].found.word
             shaped = words[j].category == "styles" and not name.endswith(("ed", "y"))
-            shaped = shaped and name.split()[0] not in _WITH
+            shaped = shaped and name.split()[0] not in _WITH and "sleeve" not in name
             return j if words[j].part in _LITTLE and (shaped or words[j].category == "parts") else None
         if words[j].category not in ADJECTIVES and "hyphen" not in (
             words[j - 1].found.gap,

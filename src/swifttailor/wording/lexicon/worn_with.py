@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 _OVER = re.compile(
-    r"(?<!\w)(?:over|under|underneath|beneath|on top of)(?: (?:an?|some|another|of|its|matching))*"
+    r"(?<!\w)(?:over|under|underneath|beneath|on top of)(?: (?:an?|some|another|matching))+"
     r"(?: (?!(?:my|her|his|their|our|your|the|any|all|other|it)(?!\w))[\w-]+){0,2} ?$",
     re.IGNORECASE,
 )
