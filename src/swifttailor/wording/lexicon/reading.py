@@ -9,7 +9,7 @@ from functools import lru_cache
 from swifttailor.describing.claims import Claim
 from swifttailor.wording.claim_kinds import fits_kind, implied_kind
 from swifttailor.wording.lexicon.colors import NamedColor, named_colors
-from swifttailor.wording.lexicon.conflicts import SCALES, beyond, exclude, opposed
+from swifttailor.wording.lexicon.conflicts import SCALES, beyond, exclude
 from swifttailor.wording.lexicon.covered_shoulders import with_covered_shoulders
 from swifttailor.wording.lexicon.denials import denied_words
 from swifttailor.wording.lexicon.entries import Certainty, Entry, NamedPrint
@@ -18,8 +18,8 @@ from swifttailor.wording.lexicon.long_tops import with_long_tops
 from swifttailor.wording.lexicon.marking import find_words
 from swifttailor.wording.lexicon.meanings import Meaning, Role, meanings
 from swifttailor.wording.lexicon.odd_ones import odd_ones
+from swifttailor.wording.lexicon.opposed_words import opposed_pairs
 from swifttailor.wording.lexicon.said_looks import WHOLE, SaidLook, said_looks
-from swifttailor.wording.lexicon.two_places import of_two_places
 from swifttailor.wording.lexicon.vocabulary import vocabulary
 from swifttailor.wording.lexicon.worn_with import is_worn_with
 from swifttailor.wording.word_tables import Dialect
@@ -30,14 +30,10 @@ _ORDER: tuple[Certainty, ...] = ("certain", "usual", "likely")
 _NAMES: tuple[Role, ...] = ("garment", "like", "second")
 
 
-_TOLD_BY: Mapping[bool, tuple[Certainty, ...]] = {True: ("certain", "usual"), False: ("certain",)}
-"""How sure what words about details, and what names of garments mean must be to contradict other words."""
 _TOPS = frozenset(["top", "tunic"])
 _LOWER = {"skirt": "skirt", "trousers": "legs", "shorts": "legs"}
 """Kinds without an upper part, and what they have."""
-_SHORTS, _TO_THE_FEET = Claim("kind", "shorts"), Claim("leg_hem", "full")
 _MAXI = Claim("skirt_hem", "maxi")
-_STRAPLESS = Claim("shoulders", "strapless")
 _NOT_SHORT = frozenset(["knee", "below the knee", "midi"])
 _LONG: Mapping[Language, str | tuple[str, ...]] = {"it": "lung", "nl": "lang", "pt": ("long", "compri")}
 """How words for long begin, where they are not like the English one."""
@@ -198,7 +194,7 @@ def _reading(text: str, language: Language, kind: str | None, dialect: Dialect |
         tuple(kept),
         tuple(never),
         _lacks(meant, text),
-        _contradictions(text, implied),
+        tuple([Contradiction(first, second) for first, second in opposed_pairs(text, implied)]),
         tuple([color for _, color in colors]),
         tuple([entry.print for mark in meant for entry in mark.entries if entry.print is not None]),
         tuple(
@@ -380,51 +376,3 @@ def _lacks(marks: Sequence[WordMark], text: str) -> tuple[Lack, ...]:
         if beside and "separate_pieces" not in found and mark.entries[0].category == "garments":
             found["separate_pieces"] = Lack("separate_pieces", True, mark)
     return tuple(found.values())
-
-
-def _contradictions(text: str, implied: Sequence[Implication]) -> tuple[Contradiction, ...]:
-    """Pairs of words that say opposite things, by definition and of one place.
-
-    What a detail usually is counts where the tables hold it against the other: a high neck that plunges.
-    """
-    sure = [i for i in implied if i.certainty in _TOLD_BY[i.said] and i.claim.name != "kind"]
-    found: dict[tuple[int, int], Contradiction] = {}
-    short = next((i for i in implied if i.claim == _SHORTS and not i.said), None)
-    for each in sure if short is not None else ():
-        if short is not None and each.said and each.claim == _TO_THE_FEET and each.certainty == "certain":
-            found[short.mark.start, each.mark.start] = Contradiction(short.mark, each.mark)
-    for k, one in enumerate(sure):
-        for other in sure[k + 1 :]:
-            certain = one.certainty == other.certainty == "certain"
-            if one.mark is other.mark or not (
-                _against(one, other) or (certain and opposed(one.claim, other.claim))
-            ):
-                continue
-            if any(_only_usual(a, b) or _is_held(a, b) for a, b in ((one, other), (other, one))):
-                continue
-            first, second = sorted((one.mark, other.mark), key=lambda mark: mark.start)
-            if not of_two_places(text, (first.start, first.end), (second.start, second.end)):
-                found.setdefault((first.start, second.start), Contradiction(first, second))
-    return tuple(found.values())
-
-
-def _only_usual(named: Implication, said: Implication) -> bool:
-    """Whether the name of a garment has other sleeves than are said: coats may be had without any."""
-    if named.said or not said.said or named.claim.name != "sleeves" or named.claim.value == "none":
-        return False
-    return "sleeve" not in named.mark.word.lower()
-
-
-def _is_held(bare: Implication, strap: Implication) -> bool:
-    """Whether straps hold what usually has none: a sweetheart neckline on wide straps."""
-    usual = bare.claim == _STRAPLESS and bare.certainty == "usual"
-    return usual and strap.said and strap.claim.name in ("straps", "sleeves", "shoulders")
-
-
-def _against(one: Implication, other: Implication) -> bool:
-    return any(
-        its.claim in entry.against
-        for mine, its in ((one, other), (other, one))
-        if mine.said and not mine.mark.denied
-        for entry in mine.mark.entries
-    )
