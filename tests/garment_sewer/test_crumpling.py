@@ -14,7 +14,14 @@ from swifttailor.body import Body
 from swifttailor.draping.cloth import build_cloth
 from swifttailor.draping.intersections import self_intersections
 from swifttailor.draping.known_fabrics import get_fabric
-from swifttailor.draping.relax import FRAMES, relax
+from swifttailor.draping.relax import (
+    CONTACT_INTERVAL,
+    FRAMES,
+    GROWING_FRAMES,
+    GROWING_SUBSTEPS,
+    SUBSTEPS,
+    relax,
+)
 from swifttailor.errors import SimulationError
 from swifttailor.garment_sewer import relaxing
 from swifttailor.garment_sewer.crumpling import CRUMPLED, SHORT, crumpled_share, smoothed_where_crumpled
@@ -234,6 +241,24 @@ def test_crossings_of_the_prediction_are_counted_only_where_they_matter(sewer, m
     monkeypatch.setattr(relaxing, "_crossings", lambda _, v: counted.append(v) or 0)
     assert np.array_equal(relaxing.relaxed(skirt).vertices, fallen)
     assert len(counted) == 1 and np.array_equal(counted[0], fallen)
+
+
+def test_cloth_grows_in_fewer_substeps_than_it_falls(sewer, monkeypatch):
+    told = []
+
+    def advance(x, v, cloth, field, held, contacts, lists, clearance, step):
+        told.append((step.substeps, step.contact_interval, round(step.substeps * step.step * 60, 9)))
+        return 1.0, 0, 0, lists
+
+    monkeypatch.setattr("swifttailor.draping.simulation.advance_frame", advance)
+    relaxing.relaxed(sewer.sew(draft("circle-skirt"), edge_length=6.0))
+    assert told[0] == (GROWING_SUBSTEPS, CONTACT_INTERVAL, 1.0)
+    assert told[GROWING_FRAMES:] == [(SUBSTEPS, CONTACT_INTERVAL, 1.0)] * (len(told) - GROWING_FRAMES)
+    assert GROWING_SUBSTEPS < SUBSTEPS and len(told) > GROWING_FRAMES
+    told.clear()
+    monkeypatch.setattr(relaxing, "legs_apart", lambda mesh, start, hips: start)
+    relaxing.relaxed(sewer.sew(draft("circle-skirt"), edge_length=6.0))
+    assert set(told) == {(SUBSTEPS, 5, 1.0)}
 
 
 def test_garments_of_another_scale_fall_as_well(sewer):

@@ -47,6 +47,8 @@ class SimulationSettings:
     """How long and how finely to simulate."""
 
     substeps: int = 18
+    contact_interval: int = 5
+    """Substeps between two searches for contacts."""
     sewing_frames: int = 40
     settling_frames: int = 10
     max_frames: int = 600
@@ -123,12 +125,14 @@ class Simulation:
         untangling: float = _UNTANGLING,
         max_speed: float = _MAX_SPEED,
         rest: Floats | None = None,
+        substeps: int | None = None,
     ) -> None:
         """Advances by one frame of 1/60 s."""
         s = self.settings
+        substeps = substeps or s.substeps
         step = StepSettings(
-            substeps=s.substeps,
-            step=1.0 / (FRAME_RATE * s.substeps),
+            substeps=substeps,
+            step=1.0 / (FRAME_RATE * substeps),
             gravity=gravity,
             damping=damping,
             friction=friction,
@@ -140,7 +144,7 @@ class Simulation:
             long_edges=long_edges,
             self_collision=self_collision,
             untangling=untangling,
-            contact_interval=5,
+            contact_interval=s.contact_interval,
             still=s.still_cm,
         )
         self._clearance[:] = 0.0
@@ -287,10 +291,16 @@ def smooth_down(simulation: Simulation, frames: int, below: float, progress: Sta
         progress("relaxing", (k + 1) / frames)
 
 
-def grow(simulation: Simulation, frames: int, progress: StageProgress) -> None:
+def grow(simulation: Simulation, frames: int, progress: StageProgress, substeps: int | None = None) -> None:
     """Lets cloth that lies shorter than it is grow to its true lengths, folding as it does.
 
     Bends are stiff meanwhile, so that it folds in few wide folds instead of many narrow ones.
+
+    Args:
+        simulation: Of cloth that lies smoothly.
+        frames: For so many sixtieths of a second.
+        progress: Called with the stage's name and the share of it that is done.
+        substeps: Of each frame; the simulation's when None.
     """
     simulation.hold()
     true = simulation.cloth.rest
@@ -305,6 +315,7 @@ def grow(simulation: Simulation, frames: int, progress: StageProgress) -> None:
             self_collision=simulation.settings.self_collision,
             max_speed=_FALLING_SPEED,
             rest=short * (1 - share) + true * share,
+            substeps=substeps,
         )
         progress("relaxing", (k + 1) / frames)
 

@@ -112,6 +112,7 @@ def relaxed(
             frames=frames,
             smoothed=smoothed,
             grown_from=smooth,
+            carefully=apart is not None,  # cloth that comes from between legs may be pulled through one
             progress=progress,
         )
     except SimulationError as error:
