@@ -19,9 +19,9 @@ from swifttailor.pattern.trims import (
 from swifttailor.pattern.trims.boning import boning
 from swifttailor.pattern.trims.chalk import Chalk
 from swifttailor.pattern.trims.diagonal_closing import diagonal_closing
-from swifttailor.pattern.trims.knee_patches import knee_patches
 from swifttailor.pattern.trims.epaulettes import epaulettes
 from swifttailor.pattern.trims.keyholes import keyhole
+from swifttailor.pattern.trims.knee_patches import knee_patches
 from swifttailor.pattern.trims.rips import frayed_hem, rips
 from swifttailor.pattern.trims.shapes import Trim
 from swifttailor.pattern.trims.side_stripes import side_stripes, sleeve_stripes
