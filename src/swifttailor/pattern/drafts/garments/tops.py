@@ -106,7 +106,7 @@ class TankTopOptions:
     neck_widening: declared.NeckWidening = 2.5
     neck_depth: declared.NeckDepth = 15.0
     back_neck_depth: declared.BackNeckDepth = 7.0
-    strap_width: Annotated[float, Option("Width of the straps on the shoulder.", "cm", 3.0, 9.0)] = 4.0
+    strap_width: Annotated[float, Option("Width of the straps on the shoulder.", "cm", 3.0, 12.0)] = 4.0
     armhole_drop: declared.ArmholeDrop = 2.0
     racer: Annotated[bool, Option("Cut the back in between the shoulder blades.")] = False
     hem_rise: declared.HemRise = 0.0
