@@ -28,6 +28,7 @@ def reader() -> WishReader:
             {"shoulders=bare left", "sleeves=right only", "sleeve_shape=puffed"},
         ),
         ("a gown with sleeves like angel wings", {"sleeve_shape=bell"}),
+        ("tank top with wide straps and deep armholes", {"armholes=deep", "straps=wide"}),
         ("a dress, sleeves yes, collar no", {"kind=dress", "collar=none"}),
         ("a pullover without the arms for under my suit", {"kind=top", "sleeves=none"}),
         ("short dress, right shoulder covered left one bare", {"shoulders=bare left"}),
