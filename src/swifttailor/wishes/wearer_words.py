@@ -67,6 +67,10 @@ _METRIC = re.compile(rf"{_PERSON} (\d{{3}} ?cm|[12]\.\d{{1,2}} ?m)(?!\w){_TALL}"
 """Heights of people: "I'm 6ft", "someone 1.80 m"."""
 
 
+_NAMES_FIGURE = re.compile(rf"(?<![\w-])(?:{_ANYBODY})(?![\w-])", re.IGNORECASE)
+"""What any look that is no wearer is looked for beside."""
+
+
 @dataclass(frozen=True)
 class HeardWearer:
     """What a text says of the wearer."""
@@ -93,7 +97,7 @@ def hear_wearer(text: str, *, instruction: bool = False) -> HeardWearer:
     hidden = hide_others(text if instruction else with_finished_chest(text))
     text = hidden.text
     said = SaidBody(text)
-    figure = _figure(_without_looks(text))
+    figure = _figure(_without_looks(text)) if _NAMES_FIGURE.search(text) else None
     child = "children" in (figure, spoken_figure(text)) and not _GROWN.search(text)
     hear_age(said, child=child)
     child = child or said.age is not None or said.is_baby
