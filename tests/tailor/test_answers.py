@@ -7,6 +7,7 @@ from dataclasses import replace
 import pytest
 from scripted_maker import scripted_maker
 
+from swifttailor.describing.claims import Claim
 from swifttailor.describing.differences import Step
 from swifttailor.describing.measuring import measure_facts
 from swifttailor.errors import InputError, NothingAskedError
@@ -265,3 +266,12 @@ def test_what_only_the_name_of_a_garment_implies_was_not_asked_for(tailor, text,
     made = tailor.generate(text)
     assert made.report["heard"]["cloth"] and made.report["heard"]["cloth_unmet"] == unmet
     assert any("The fabric, " in warning for warning in made.warnings) == unmet
+
+
+def test_what_is_named_late_in_a_long_text_is_made(tailor):
+    text = (
+        "I'm building a wardrobe for a stylised farming game and need simple dungarees, full length, straight "
+        "leg, no sleeves obviously, denim."
+    )
+    wished = tailor.read(Order(text)).sure
+    assert any(wish.change.claim == Claim("kind", "jumpsuit") for wish in wished)

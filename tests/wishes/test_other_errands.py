@@ -56,6 +56,8 @@ def test_services_talk_and_jewellery_are_no_garments(text):
         "a dress to go with my pearl necklace",
         "pussy bow blouse",
         "a puppy print pyjama top",
+        "donkey jacket",
+        "cat pyjamas",
         "a skirt like the one I had to send back because it was far too short, so longer, to the knee, in "
         "navy wool, with pockets, please",
     ],

@@ -79,7 +79,7 @@ def _read_order(order: Order, reader: WishReader | None, eyes: ReadsPictures | N
             return Wanted(order, order.words, image, notes=notes)
         heard = _heard(order, reader)
         described = bool(one_line(order.text)) and order.edit is None and order.source != "writer"
-        if described and not order.images and (why := asks_for_none(heard, one_line(order.words))):
+        if described and not order.images and (why := asks_for_none(heard, " ".join(order.words.split()))):
             raise NothingAskedError(why)
         return Wanted(order, heard.text, image, heard.sure, heard.likely, notes, heard=heard)
     heard = _heard(order, reader)

@@ -10,10 +10,15 @@ _ANIMALS = (
     r"|chihuahua|pug|bulldog|collie|beagle|corgi|cockapoo|husky|schnauzer|shih tzu|lurcher|german shepherd"
     r"|doll|teddy bear)"
 )
-_CLOTHES = (
-    r"(?:(?:rain|winter|fleece|knitted|christmas|halloween) ?)?(?:coat|jumper|sweater|jacket|costume|clothes"
-    r"|clothing|hoodie|raincoat|pyjamas|pajamas|rug|onesie|bandana|harness)s?(?! print)"
+_PETS = (
+    r"(?:dog|doggy|doggie|pet|dachshund|greyhound|whippet|labrador|labradoodle|poodle|spaniel|terrier"
+    r"|chihuahua|pug|beagle|corgi|cockapoo|husky|schnauzer|lurcher|doll)"
 )
+_CLOTHES = (
+    r"(?:(?:rain|winter|fleece|knitted|christmas|halloween) ?)?(?:coat|jumper|sweater|jacket|clothes|clothing"
+    r"|hoodie|raincoat|rug|bandana|harness)s?(?! (?:print|costume))"
+)
+"""Costumes, pyjamas and onesies of animals are worn by people, and so are donkey jackets."""
 
 
 def _any_of(*patterns: str) -> re.Pattern[str]:
@@ -21,7 +26,8 @@ def _any_of(*patterns: str) -> re.Pattern[str]:
 
 
 _OF_ANIMALS = _any_of(
-    rf"{_ANIMALS}(?:['’]?s)? {_CLOTHES}",
+    rf"{_PETS}(?:['’]?s)? {_CLOTHES}",
+    rf"{_ANIMALS}['’]?s? (?:clothes|clothing|rug|harness|bandana)(?! (?:print|costume))",
     rf"for (?:my |our |the |an? |his |her |your )?(?:[\w'’-]+ ){{0,2}}?{_ANIMALS}s?"
     r"(?=\s*(?:[.,;:!?()]|$|(?:who|that|which|called|named|with|she|he|and|so)(?!\w)))",
     r"hunde(?:mantel|pullover|jacke|kleidung)",
