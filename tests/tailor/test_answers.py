@@ -270,8 +270,8 @@ def test_what_only_the_name_of_a_garment_implies_was_not_asked_for(tailor, text,
 
 def test_what_is_named_late_in_a_long_text_is_made(tailor):
     text = (
-        "I'm building a wardrobe for a stylised farming game and need simple dungarees, full length, straight "
-        "leg, no sleeves obviously, denim."
+        "I'm building a wardrobe for a stylised farming game and need simple dungarees, full length, "
+        "straight leg, no sleeves obviously, denim."
     )
-    wished = tailor.read(Order(text)).sure
+    wished = tailor.read(Order(text)).wishes
     assert any(wish.change.claim == Claim("kind", "jumpsuit") for wish in wished)
