@@ -62,6 +62,9 @@ def test_what_a_name_usually_means_does_not_take_the_place_of_a_detail():
 def test_sides_differ_where_they_are_spoken_of(change):
     assert is_of_one_side(change) and not is_of_one_side(DRESS) and not is_of_one_side(LONG)
     assert speaks_of_sides("a dress with one bare arm") and not speaks_of_sides("a short-sleeved wrap dress")
+    assert speaks_of_sides("one pocket and one sleeve") and not speaks_of_sides(
+        "a tabard with one big pocket"
+    )
     reader = WishReader.load()
     assert change not in reader.whole("a short-sleeved wrap dress", instruction=False)
     assert change in reader.whole("a dress with one bare arm", instruction=False)

@@ -12,11 +12,17 @@ _SIDES = re.compile(
     re.IGNORECASE,
 )
 """Words without which nothing is said of sides that differ."""
+_COUNTS = re.compile(
+    r"(?<!\w)(?:one|single|two|only|half)(?:[ -](?!sleeve|shoulder|strap|arm|leg|side)[a-z]+){0,2}?"
+    r"[ -](?:pocket|button|zip|piece|row|tier|layer|pleat|dart|colou?r|print|size|seam|belt)s?(?!\w)",
+    re.IGNORECASE,
+)
+"""What such words count instead."""
 
 
 def speaks_of_sides(text: str) -> bool:
     """Whether a text has a word that may tell sides apart."""
-    return _SIDES.search(text) is not None
+    return _SIDES.search(_COUNTS.sub(" ", text)) is not None
 
 
 def is_of_one_side(change: Change) -> bool:
