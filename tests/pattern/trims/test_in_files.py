@@ -108,5 +108,6 @@ def test_check_takes_right_ones(tmp_path, capsys):
 
 def test_names_are_what_people_say():
     assert all(name == name.strip().lower() and len(said) > 3 for name, said in TRIMS.items())
-    grouped = [name for group in LIKE_EACH_OTHER for name in group]
-    assert len(grouped) == len(set(grouped)) and set(grouped) <= set(TRIMS)
+    for group in LIKE_EACH_OTHER:
+        assert len(group) == len(set(group)) > 1 and set(group) <= set(TRIMS)
+    assert len(set(map(frozenset, LIKE_EACH_OTHER))) == len(LIKE_EACH_OTHER)
