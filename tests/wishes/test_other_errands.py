@@ -57,6 +57,9 @@ def test_services_talk_and_jewellery_are_no_garments(text):
         "pussy bow blouse",
         "a puppy print pyjama top",
         "donkey jacket",
+        "a waterproof coat for walking the dog",
+        "breeches for riding my horse, in brown",
+        "a long dress for the horse and carriage",
         "cat pyjamas",
         "a skirt like the one I had to send back because it was far too short, so longer, to the knee, in "
         "navy wool, with pockets, please",

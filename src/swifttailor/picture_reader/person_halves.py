@@ -26,9 +26,12 @@ _CHEST, _WAIST = 0.2, 0.35
 hips to the farthest point of somebody."""
 _LEAST_BELOW = 0.1
 """Of somebody, below the hips; whose legs are less is shown to the hips, or sits."""
+_LEAST_CHEST = 0.15
+"""Height of what is shown of the chest, in the same distance."""
 _SPACE, _ABOVE = 1.06, 0.03
 """Side of the square of the legs, in their longer side, and how much of it is above them."""
 _CHEST_SPACE = 1.04
+"""Side of the square of the chest, in its longer side; all of the space is above and beside it."""
 NECK_SHARE, LEGS_SHARE = 0.5, 0.3
 """How much looks from nearer count, where the looks at somebody whole see the same."""
 _NECK = "neckline", "left_neckline", "right_neckline"
@@ -48,7 +51,7 @@ def chest_of(
     """
     top = int(np.flatnonzero(mask.any(axis=1))[0])
     bottom = min(int(hips[1] - _CHEST * reach), len(mask))
-    if bottom - top < 0.15 * reach:
+    if bottom - top < _LEAST_CHEST * reach:
         return None
     columns = np.flatnonzero(mask[:bottom].any(axis=0))
     side = int(max(bottom - top, columns[-1] + 1 - columns[0]) * _CHEST_SPACE)

@@ -28,8 +28,8 @@ def _any_of(*patterns: str) -> re.Pattern[str]:
 _OF_ANIMALS = _any_of(
     rf"{_PETS}(?:['’]?s)? {_CLOTHES}",
     rf"{_ANIMALS}['’]?s? (?:clothes|clothing|rug|harness|bandana)(?! (?:print|costume))",
-    rf"for (?:my |our |the |an? |his |her |your )?(?:[\w'’-]+ ){{0,2}}?{_ANIMALS}s?"
-    r"(?=\s*(?:[.,;:!?()]|$|(?:who|that|which|called|named|with|she|he|and|so)(?!\w)))",
+    rf"for (?:my |our |the |an? |his |her |your )?(?:(?!\w+ing )[\w'’-]+ ){{0,2}}?{_ANIMALS}s?"
+    r"(?=\s*(?:[.,;:!?()]|$|(?:who|that|which|called|named|with|she|he)(?!\w)))",
     r"hunde(?:mantel|pullover|jacke|kleidung)",
     r"für (?:meinen?|unseren?|den|die|einen?) (?:\w+ )?(?:hund|kater|katze|dackel|pferd)",
     r"pour (?:(?:mon|ma|un|le|notre) )?(?:petit )?(?:chien|chat|cheval)",
