@@ -57,6 +57,8 @@ def test_services_talk_and_jewellery_are_no_garments(text):
         "pussy bow blouse",
         "a puppy print pyjama top",
         "donkey jacket",
+        "a corgi jumper with hearts",
+        "where is my little black dress, make one",
         "a waterproof coat for walking the dog",
         "breeches for riding my horse, in brown",
         "a long dress for the horse and carriage",

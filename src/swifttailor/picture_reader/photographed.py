@@ -18,7 +18,7 @@ MOST_DESIGNED = 0.255
 SURELY_SOMEBODY = 0.8
 """How sure it has to be that somebody is there where networks for clothes see nobody, or clothes alone."""
 _LEAST_LEFT = 0.1
-"""Of the mask of the lower garment: where less of it lies outside the upper one's, neither hides the other."""
+"""Of the mask of the lower garment: where less of it lies outside the upper one's, neither hides any."""
 
 
 def says_no_design(read: PictureReading) -> bool:

@@ -4,16 +4,16 @@ from __future__ import annotations
 
 import re
 
+_BREEDS = (
+    r"(?:dachshund|greyhound|whippet|labrador|labradoodle|poodle|spaniel|terrier|chihuahua|pug|bulldog|collie"
+    r"|beagle|corgi|cockapoo|schnauzer|shih tzu|lurcher)"
+)
 _ANIMALS = (
     r"(?:dog|doggy|doggie|puppy|pup|cat|kitten|kitty|pet|horse|pony|donkey|rabbit|bunny|hamster|guinea pig"
-    r"|parrot|ferret|tortoise|lamb|dachshund|greyhound|whippet|labrador|labradoodle|poodle|spaniel|terrier"
-    r"|chihuahua|pug|bulldog|collie|beagle|corgi|cockapoo|husky|schnauzer|shih tzu|lurcher|german shepherd"
-    r"|doll|teddy bear)"
+    rf"|parrot|ferret|tortoise|lamb|husky|german shepherd|doll|teddy bear|{_BREEDS})"
 )
-_PETS = (
-    r"(?:dog|doggy|doggie|pet|dachshund|greyhound|whippet|labrador|labradoodle|poodle|spaniel|terrier"
-    r"|chihuahua|pug|beagle|corgi|cockapoo|husky|schnauzer|lurcher|doll)"
-)
+_PETS = r"(?:dog|doggy|doggie|pet|doll)"
+"""Whose jumpers are their own; a corgi jumper shows corgis."""
 _CLOTHES = (
     r"(?:(?:rain|winter|fleece|knitted|christmas|halloween) ?)?(?:coat|jumper|sweater|jacket|clothes|clothing"
     r"|hoodie|raincoat|rug|bandana|harness)s?(?! (?:print|costume))"
@@ -28,6 +28,7 @@ def _any_of(*patterns: str) -> re.Pattern[str]:
 _OF_ANIMALS = _any_of(
     rf"{_PETS}(?:['’]?s)? {_CLOTHES}",
     rf"{_ANIMALS}['’]?s? (?:clothes|clothing|rug|harness|bandana)(?! (?:print|costume))",
+    rf"{_BREEDS} (?:rain)?coats?",
     rf"for (?:my |our |the |an? |his |her |your )?(?:(?!\w+ing )[\w'’-]+ ){{0,2}}?{_ANIMALS}s?"
     r"(?=\s*(?:[.,;:!?()]|$|(?:who|that|which|called|named|with|she|he)(?!\w)))",
     r"hunde(?:mantel|pullover|jacke|kleidung)",
@@ -38,7 +39,8 @@ _OF_ANIMALS = _any_of(
 _SERVICE = _any_of(
     r"refund|money back|rückgabe|rückerstattung|remboursement|reembolso",
     r"(?:return|exchange|send back) (?:this|these|it|them|my|an?|the)(?! (?:favou?r|call))",
-    r"track(?:ing)? (?:my|number)|where(?:['’]s| is| are) my|cancel my",
+    r"where(?:['’]s| is| are) my (?:order|parcel|package|delivery|refund|stuff)",
+    r"track(?:ing)? (?:my|number)|cancel my",
     r"(?:my|your|on|about|for|with) order(?: (?:number|no\.?|nr))? ?#?\d{3,}|order #?\d{3,}",
     r"(?:my|your) (?:order|parcel|delivery) (?:has|hasn|is|was|never|still)|delivery (?:cost|time|to)",
     r"opening hours|discount code|voucher code|customer service|forgot my password",
