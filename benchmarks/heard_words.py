@@ -31,9 +31,9 @@ from machine import describe
 from swifttailor.describing.facts import GarmentFacts
 from swifttailor.describing.measuring import measure_facts
 from swifttailor.training.spoken_texts import SpokenText, read_spoken_texts
+from swifttailor.wishes.descriptions.hearing import hear_description
 from swifttailor.wishes.heard import Heard
-from swifttailor.wishes.hearing import hear_description
-from swifttailor.wishes.hearing_changes import hear_instruction
+from swifttailor.wishes.instructions.hearing_changes import hear_instruction
 from swifttailor.wishes.labels import label_of
 from swifttailor.wishes.reader import WishReader
 

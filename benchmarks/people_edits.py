@@ -27,7 +27,7 @@ from swifttailor.describing.measuring import measure_facts
 from swifttailor.errors import SwiftTailorError
 from swifttailor.pattern import Pattern
 from swifttailor.tailor import Order
-from swifttailor.wishes.own_words import in_own_words
+from swifttailor.wishes.descriptions.own_words import in_own_words
 
 _FILES = {
     "building": WORDS / "building" / "edits.jsonl",

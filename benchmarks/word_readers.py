@@ -26,7 +26,7 @@ from people_prompts import (
 from swifttailor.describing import Claim
 from swifttailor.describing.differences import Gain
 from swifttailor.wishes import WishReader
-from swifttailor.wishes.spelling import put_right
+from swifttailor.wishes.text.spelling import put_right
 from swifttailor.wording.lexicon import WordReading, exclude, read_words
 
 APART = frozenset({"sizes", "bodies", "prints"})

@@ -24,7 +24,7 @@ from swifttailor.networks.word_pieces import SHIPPED, UNKNOWN, WordPieces
 from swifttailor.training.spoken_texts import read_spoken_texts
 from swifttailor.training.wish_config import CONFIGS
 from swifttailor.wishes.export_torch import build_network
-from swifttailor.wishes.text_tokens import COUNT, DESCRIPTION, INSTRUCTION, LENGTH
+from swifttailor.wishes.text.text_tokens import COUNT, DESCRIPTION, INSTRUCTION, LENGTH
 from swifttailor.wording.lexicon.vocabulary import WORDS
 
 _LATIN = re.compile(r"(?:##)?(?:[a-z]+|[0-9]{1,2}|[!-/:-@\[-`{-~£€½¼¾°])")

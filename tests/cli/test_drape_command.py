@@ -21,7 +21,7 @@ from swifttailor.garment.garment import Garment
 from swifttailor.output_folder import OutputFolder
 from swifttailor.pattern import Pattern, load_pattern
 from swifttailor.pattern.drafts import draft
-from swifttailor.wishes.hearing_changes import hear_instruction
+from swifttailor.wishes.instructions.hearing_changes import hear_instruction
 from swifttailor.wishes.reader import WishReader
 
 FILES = ["garment.glb", "garment.obj", "pattern.json", "pattern.svg", "preview.png", "report.json"]

@@ -10,7 +10,7 @@ from swifttailor.describing.measuring import measure_facts
 from swifttailor.errors import InputError
 from swifttailor.pattern.drafts import draft
 from swifttailor.tailor import Order, Tailor
-from swifttailor.wishes.well_within import FLOOR_AT_LEAST_CM
+from swifttailor.wishes.assumed.well_within import FLOOR_AT_LEAST_CM
 from swifttailor.wording.lexicon import all_entries
 
 KNOWN = {"skirt": draft("fitted-skirt"), "shirt": draft("t-shirt"), "trousers": draft("trousers")}

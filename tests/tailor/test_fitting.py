@@ -22,8 +22,8 @@ from swifttailor.tailor.order import Order
 from swifttailor.tailor.orders_read import read_order
 from swifttailor.tailor.reading import Wanted
 from swifttailor.tailor.writing import WARMER, write_patterns
+from swifttailor.wishes.corrections.sureness import sure_wishes
 from swifttailor.wishes.reader import Wish
-from swifttailor.wishes.sureness import sure_wishes
 
 MIDI, NO_HOOD = Gain(Claim("skirt_hem", "midi")), Gain(Claim("hood", "none"))
 LONGER = Step("length", 1, 10.0)

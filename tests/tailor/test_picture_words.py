@@ -11,7 +11,7 @@ from swifttailor.describing import Claim, measure_facts
 from swifttailor.pattern.drafts import draft
 from swifttailor.tailor import Tailor
 from swifttailor.tailor.picture_words import in_words, over_trousers
-from swifttailor.wishes.hearing import hear_description
+from swifttailor.wishes.descriptions.hearing import hear_description
 from swifttailor.wishes.reader import WishReader
 
 PHOTO = np.random.default_rng(0).integers(0, 255, (90, 60, 3), np.uint8)

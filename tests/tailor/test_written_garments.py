@@ -21,8 +21,8 @@ from swifttailor.recutting.table.cutter import Cutter
 from swifttailor.recutting.ways.hem_line import bend_hem
 from swifttailor.tailor.fitting import fit
 from swifttailor.tailor.order import Order
+from swifttailor.wishes.corrections.sureness import likely_wishes
 from swifttailor.wishes.reader import Wish
-from swifttailor.wishes.sureness import likely_wishes
 
 
 def without(pattern: Pattern, *names: str) -> Pattern:

@@ -8,8 +8,8 @@ import pytest
 import swifttailor
 from swifttailor.describing import Claim, measure_facts
 from swifttailor.pattern.drafts.draft_names import NamedDraft
-from swifttailor.wishes.asked_hems import RISE_CM, hem_as_asked
-from swifttailor.wishes.hearing import hear_description
+from swifttailor.wishes.descriptions.hearing import hear_description
+from swifttailor.wishes.drafts.asked_hems import RISE_CM, hem_as_asked
 from swifttailor.wishes.reader import WishReader
 
 CURVED = {"curved_hem"}

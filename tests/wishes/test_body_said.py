@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from swifttailor.wishes.wearer_words import hear_wearer
+from swifttailor.wishes.wearers.wearer_words import hear_wearer
 
 _INCH = 2.54
 

@@ -7,8 +7,8 @@ import pytest
 from swifttailor import draft
 from swifttailor.describing import Claim
 from swifttailor.pattern.drafts.draft_names import PUFFBALL, NamedDraft
-from swifttailor.wishes.bubble_hems import bubble_as_asked
-from swifttailor.wishes.hearing import hear_description
+from swifttailor.wishes.descriptions.hearing import hear_description
+from swifttailor.wishes.drafts.bubble_hems import bubble_as_asked
 from swifttailor.wishes.reader import WishReader
 
 

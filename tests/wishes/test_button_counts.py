@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from swifttailor.pattern.drafts.draft_names import NamedDraft
-from swifttailor.wishes.button_counts import buttons_stated, closed_as_counted, usual_buttons
+from swifttailor.wishes.trims.button_counts import buttons_stated, closed_as_counted, usual_buttons
 
 STATED = {
     "navy blazer, single button": 1,

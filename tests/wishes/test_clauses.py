@@ -6,8 +6,8 @@ import pytest
 
 from swifttailor.describing import Claim
 from swifttailor.describing.differences import Gain, Step
-from swifttailor.wishes.clauses import clauses
 from swifttailor.wishes.reader import SURE, WishReader
+from swifttailor.wishes.text.clauses import clauses
 
 LONGER, LONG = Step("length", 1, 20.0), Gain(Claim("sleeves", "long"))
 

@@ -7,8 +7,8 @@ import pytest
 from swifttailor.describing.claims import Claim
 from swifttailor.pattern.drafts import draft
 from swifttailor.pattern.drafts.draft_names import NamedDraft
-from swifttailor.wishes.clinging_drafts import clinging_as_asked
-from swifttailor.wishes.hearing import hear_description
+from swifttailor.wishes.descriptions.hearing import hear_description
+from swifttailor.wishes.drafts.clinging_drafts import clinging_as_asked
 from swifttailor.wishes.reader import WishReader
 
 

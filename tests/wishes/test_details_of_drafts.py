@@ -6,8 +6,8 @@ import pytest
 
 from swifttailor.describing.claims import Claim
 from swifttailor.describing.differences import Gain
+from swifttailor.wishes.drafts.heard_drafts import drafts_of
 from swifttailor.wishes.heard import Heard
-from swifttailor.wishes.heard_drafts import drafts_of
 from swifttailor.wishes.reader import Wish
 from swifttailor.wording.lexicon import read_words
 

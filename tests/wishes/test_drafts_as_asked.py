@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from swifttailor.describing.claims import CLAIM_TYPES, Claim
 from swifttailor.pattern.drafts import draft
 from swifttailor.pattern.drafts.draft_names import BARE_SHOULDERED, DRAFT_NAMES, NamedDraft
-from swifttailor.wishes.drafts_as_asked import draft_as_asked
+from swifttailor.wishes.drafts.drafts_as_asked import draft_as_asked
 
 _SLEEVED_SKATER = (
     "skater-dress(skirt_length=98;skirt_fraction=0.5;sleeves=true;sleeve_length=60.0;sleeve_end=24.0)"

@@ -9,7 +9,7 @@ from swifttailor.pattern.drafts import draft
 from swifttailor.pattern.drafts.draft_names import DRAFT_KINDS, NamedDraft
 from swifttailor.pattern.drafts.options import make_options
 from swifttailor.pattern.drafts.registry import find_draft
-from swifttailor.wishes.drafts_of_names import draft_of_kind, draft_of_name
+from swifttailor.wishes.drafts.drafts_of_names import draft_of_kind, draft_of_name
 from swifttailor.wording.lexicon import read_words
 from swifttailor.wording.lexicon.vocabulary import vocabulary
 

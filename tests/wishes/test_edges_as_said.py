@@ -9,10 +9,10 @@ from swifttailor.describing import measure_facts
 from swifttailor.describing.claims import Claim
 from swifttailor.pattern.drafts import draft
 from swifttailor.pattern.drafts.draft_names import NamedDraft
-from swifttailor.wishes.gored_drafts import gored_as_said
-from swifttailor.wishes.low_skirts import low_as_asked
-from swifttailor.wishes.straight_edges import straight_as_said
-from swifttailor.wishes.tops_to_the_legs import to_the_legs_as_said
+from swifttailor.wishes.drafts.gored_drafts import gored_as_said
+from swifttailor.wishes.drafts.low_skirts import low_as_asked
+from swifttailor.wishes.drafts.straight_edges import straight_as_said
+from swifttailor.wishes.drafts.tops_to_the_legs import to_the_legs_as_said
 
 
 @pytest.mark.parametrize(

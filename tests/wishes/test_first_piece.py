@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from swifttailor.wishes.first_piece import first_piece
-from swifttailor.wishes.two_garments import two_garments
+from swifttailor.wishes.outfits.first_piece import first_piece
+from swifttailor.wishes.outfits.two_garments import two_garments
 
 
 @pytest.mark.parametrize(

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from swifttailor.wishes.flecks import flecked, is_flecked
-from swifttailor.wishes.heard_print import heard_print
+from swifttailor.wishes.looks.flecks import flecked, is_flecked
+from swifttailor.wishes.looks.heard_print import heard_print
 from swifttailor.wording import read_words
 
 

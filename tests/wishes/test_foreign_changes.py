@@ -13,10 +13,10 @@ from swifttailor.describing import Claim
 from swifttailor.describing.differences import Change, Gain, Step
 from swifttailor.describing.facts import GarmentFacts
 from swifttailor.describing.measuring import measure_facts
-from swifttailor.wishes.hearing_changes import hear_instruction
-from swifttailor.wishes.one_meaning import in_one_meaning
+from swifttailor.wishes.instructions.hearing_changes import hear_instruction
+from swifttailor.wishes.instructions.one_meaning import in_one_meaning
+from swifttailor.wishes.instructions.spoken_targets import clauses_of
 from swifttailor.wishes.reader import WishReader
-from swifttailor.wishes.spoken_targets import clauses_of
 
 DRAFTS = {"dress": "fitted-dress", "top": "t-shirt", "trousers": "trousers"}
 STEP = re.compile(r"(\w+)([+-])([\d.]*)")

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from swifttailor.describing.differences import Step
-from swifttailor.wishes.spoken_changes import spoken_changes
+from swifttailor.wishes.instructions.spoken_changes import spoken_changes
 from swifttailor.wording.lexicon import glossed_change, read_words
 
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from swifttailor.wishes.grown_girls import with_grown_girls
-from swifttailor.wishes.wearer_words import hear_wearer
+from swifttailor.wishes.wearers.grown_girls import with_grown_girls
+from swifttailor.wishes.wearers.wearer_words import hear_wearer
 
 
 @pytest.mark.parametrize(

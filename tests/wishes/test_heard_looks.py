@@ -7,10 +7,10 @@ import pytest
 import swifttailor
 from swifttailor.describing.measuring import measure_facts
 from swifttailor.garment.part_looks import SEVERAL_LAYERS, PartLook
-from swifttailor.wishes.hearing import hear_description
-from swifttailor.wishes.hearing_changes import hear_instruction
+from swifttailor.wishes.descriptions.hearing import hear_description
+from swifttailor.wishes.instructions.hearing_changes import hear_instruction
+from swifttailor.wishes.instructions.without_looks import without_looks
 from swifttailor.wishes.reader import WishReader
-from swifttailor.wishes.without_looks import without_looks
 from swifttailor.wording.lexicon import read_words
 
 WHITE_COLLAR = PartLook("collar", "#ffffff")

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from swifttailor.wishes.heard_print import asks_for_plain, heard_print, print_line
-from swifttailor.wishes.lexicon_spelling import guessed_name, lexicon_spelling
+from swifttailor.wishes.looks.heard_print import asks_for_plain, heard_print, print_line
+from swifttailor.wishes.text.lexicon_spelling import guessed_name, lexicon_spelling
 from swifttailor.wording.lexicon import foreign_language, read_words
 
 

@@ -11,10 +11,10 @@ from swifttailor.describing.claims import Claim
 from swifttailor.describing.differences import Gain
 from swifttailor.describing.measuring import measure_facts
 from swifttailor.pattern.drafts.draft_names import NamedDraft
+from swifttailor.wishes.descriptions.hearing import hear_description
+from swifttailor.wishes.descriptions.no_garment import asks_for_none
 from swifttailor.wishes.heard import HEARD_NOTHING
-from swifttailor.wishes.hearing import hear_description
-from swifttailor.wishes.hearing_changes import hear_instruction
-from swifttailor.wishes.no_garment import asks_for_none
+from swifttailor.wishes.instructions.hearing_changes import hear_instruction
 from swifttailor.wishes.reader import SURE, Wish, WishReader
 from swifttailor.wording.lexicon import exclude, read_words
 

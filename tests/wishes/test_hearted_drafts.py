@@ -8,8 +8,8 @@ import pytest
 from swifttailor.describing.claims import Claim
 from swifttailor.pattern.drafts import draft
 from swifttailor.pattern.drafts.draft_names import NamedDraft
-from swifttailor.wishes.hearing import hear_description
-from swifttailor.wishes.hearted_drafts import hearted_as_asked
+from swifttailor.wishes.descriptions.hearing import hear_description
+from swifttailor.wishes.drafts.hearted_drafts import hearted_as_asked
 from swifttailor.wishes.reader import WishReader
 from swifttailor.wording.lexicon import read_words
 

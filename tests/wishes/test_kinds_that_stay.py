@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
+from swifttailor.wishes.descriptions.hearing import hear_description
 from swifttailor.wishes.heard import Heard
-from swifttailor.wishes.hearing import hear_description
 from swifttailor.wishes.reader import WishReader
 from swifttailor.wording.wish_lines import wish_line
 

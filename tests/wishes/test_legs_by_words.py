@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from swifttailor.pattern.drafts.draft_names import NamedDraft
-from swifttailor.wishes.hearing import hear_description
-from swifttailor.wishes.legs_by_words import legs_as_said
+from swifttailor.wishes.descriptions.hearing import hear_description
+from swifttailor.wishes.drafts.legs_by_words import legs_as_said
 from swifttailor.wishes.reader import WishReader
 
 TROUSERS = NamedDraft("trousers", (("length", 100.0), ("leg_ease", 36.0)))

@@ -11,7 +11,7 @@ from swifttailor.describing import Claim, measure_facts
 from swifttailor.describing.differences import Gain
 from swifttailor.describing.facts import Slit
 from swifttailor.recutting import alter
-from swifttailor.wishes.loose_wholes import UNLIKELY, is_loose_whole, loosened, of_loose_wholes
+from swifttailor.wishes.corrections.loose_wholes import UNLIKELY, is_loose_whole, loosened, of_loose_wholes
 from swifttailor.wishes.reader import Wish
 
 _LOOSE = Claim("fit", "loose")

@@ -6,7 +6,7 @@ import pytest
 
 from swifttailor.describing.claims import Claim
 from swifttailor.pattern.drafts.draft_names import NamedDraft
-from swifttailor.wishes.loosened_drafts import is_to_be_loose, loosened_as_asked
+from swifttailor.wishes.drafts.loosened_drafts import is_to_be_loose, loosened_as_asked
 
 EASY, LOOSE = Claim("fit", "easy"), Claim("fit", "loose")
 

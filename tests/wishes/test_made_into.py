@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from swifttailor.wishes.made_into import made_into_a_dress
+from swifttailor.wishes.descriptions.made_into import made_into_a_dress
 
 
 @pytest.mark.parametrize(

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from swifttailor.wishes.mentions import find_mentions
+from swifttailor.wishes.text.mentions import find_mentions
 from swifttailor.wording.numbers import say_measure
 
 

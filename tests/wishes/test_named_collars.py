@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from swifttailor.describing.claims import Claim
-from swifttailor.wishes.named_collars import named_collars
+from swifttailor.wishes.corrections.named_collars import named_collars
 from swifttailor.wording.lexicon import read_words
 
 

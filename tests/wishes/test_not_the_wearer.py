@@ -6,8 +6,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from swifttailor.wishes.not_the_wearer import hide_others, with_finished_chest
-from swifttailor.wishes.wearer_words import hear_wearer
+from swifttailor.wishes.wearers.not_the_wearer import hide_others, with_finished_chest
+from swifttailor.wishes.wearers.wearer_words import hear_wearer
 
 
 @pytest.mark.parametrize(

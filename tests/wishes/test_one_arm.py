@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from swifttailor.describing import Claim
 from swifttailor.describing.claims import CLAIM_TYPES
 from swifttailor.describing.differences import Gain
-from swifttailor.wishes.one_arm import of_one_arm, without_guessed_length
+from swifttailor.wishes.corrections.one_arm import of_one_arm, without_guessed_length
 from swifttailor.wishes.reader import Wish
 from swifttailor.wording.lexicon import read_words
 

@@ -8,8 +8,8 @@ import swifttailor
 from swifttailor.describing import Claim
 from swifttailor.describing.differences import Gain, Step
 from swifttailor.recutting import alter
-from swifttailor.wishes.hearing import hear_description
-from swifttailor.wishes.hearing_changes import hear_instruction
+from swifttailor.wishes.descriptions.hearing import hear_description
+from swifttailor.wishes.instructions.hearing_changes import hear_instruction
 from swifttailor.wishes.reader import WishReader
 
 

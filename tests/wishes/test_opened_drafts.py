@@ -7,7 +7,7 @@ import pytest
 from swifttailor.describing.claims import Claim
 from swifttailor.pattern.drafts import draft
 from swifttailor.pattern.drafts.draft_names import NamedDraft
-from swifttailor.wishes.opened_drafts import opened_as_asked
+from swifttailor.wishes.drafts.opened_drafts import opened_as_asked
 
 BELL = Claim("sleeve_shape", "bell")
 

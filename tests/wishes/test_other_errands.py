@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
+from swifttailor.wishes.descriptions.no_garment import asks_for_none
 from swifttailor.wishes.heard import Heard
-from swifttailor.wishes.no_garment import asks_for_none
 from swifttailor.wording import read_words
 
 

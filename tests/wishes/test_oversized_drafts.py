@@ -7,7 +7,7 @@ import pytest
 from swifttailor.describing.claims import Claim
 from swifttailor.pattern.drafts import draft
 from swifttailor.pattern.drafts.draft_names import NamedDraft
-from swifttailor.wishes.oversized_drafts import oversized_as_asked
+from swifttailor.wishes.drafts.oversized_drafts import oversized_as_asked
 
 OVERSIZED = Claim("fit", "oversized")
 

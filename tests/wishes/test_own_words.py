@@ -6,7 +6,7 @@ import pytest
 
 from swifttailor.describing import Claim
 from swifttailor.describing.differences import Gain, Step
-from swifttailor.wishes.own_words import in_own_words
+from swifttailor.wishes.descriptions.own_words import in_own_words
 from swifttailor.wishes.reader import WishReader
 from swifttailor.wording.captions import write_claims
 from swifttailor.wording.claim_kinds import implied_kind

@@ -8,9 +8,9 @@ from hypothesis import strategies as st
 
 from swifttailor.describing import Claim
 from swifttailor.describing.differences import Gain, Step
-from swifttailor.wishes.mentions import find_mentions
-from swifttailor.wishes.phrase_book import find_phrases
 from swifttailor.wishes.reader import WishReader
+from swifttailor.wishes.text.mentions import find_mentions
+from swifttailor.wishes.text.phrase_book import find_phrases
 from swifttailor.wording.instructions.requests import step_words
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from swifttailor.wishes.hearing import hear_description
+from swifttailor.wishes.descriptions.hearing import hear_description
 from swifttailor.wishes.reader import WishReader
 
 

@@ -7,8 +7,8 @@ import pytest
 from swifttailor import draft
 from swifttailor.describing import Claim
 from swifttailor.pattern.drafts.draft_names import PLEATED, NamedDraft
-from swifttailor.wishes.hearing import hear_description
-from swifttailor.wishes.pleated_dresses import pleats_as_asked
+from swifttailor.wishes.descriptions.hearing import hear_description
+from swifttailor.wishes.drafts.pleated_dresses import pleats_as_asked
 from swifttailor.wishes.reader import WishReader
 
 

@@ -7,7 +7,7 @@ import pytest
 
 from swifttailor.pattern.drafts import draft
 from swifttailor.pattern.drafts.draft_names import NamedDraft
-from swifttailor.wishes.armholes_as_asked import armholes_as_asked
+from swifttailor.wishes.drafts.armholes_as_asked import armholes_as_asked
 from swifttailor.wording.lexicon import read_words
 
 LACKS = read_words("a gym vest with a racerback").lacks

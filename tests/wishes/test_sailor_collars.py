@@ -8,9 +8,9 @@ import pytest
 import swifttailor
 from swifttailor.pattern import check_pattern
 from swifttailor.pattern.drafts.draft_names import NamedDraft
-from swifttailor.wishes.hearing import hear_description
+from swifttailor.wishes.descriptions.hearing import hear_description
+from swifttailor.wishes.drafts.sailor_collars import with_sailor_collar
 from swifttailor.wishes.reader import WishReader
-from swifttailor.wishes.sailor_collars import with_sailor_collar
 
 FLAT = "a collar that lies flat"
 DRAFTS = ("shirt", "polo-shirt", "shirt-dress", "fitted-dress", "shift-dress", "jumpsuit")

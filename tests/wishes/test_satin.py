@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from swifttailor.wishes.satin import is_satin
+from swifttailor.wishes.looks.satin import is_satin
 from swifttailor.wording import read_words
 
 

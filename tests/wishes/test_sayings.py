@@ -10,9 +10,9 @@ from swifttailor import draft
 from swifttailor.describing.claims import Claim
 from swifttailor.describing.differences import Gain, Step
 from swifttailor.describing.measuring import measure_facts
-from swifttailor.wishes.girth_targets import with_targets
-from swifttailor.wishes.sayings import plainly
-from swifttailor.wishes.spoken_changes import spoken_changes
+from swifttailor.wishes.instructions.girth_targets import with_targets
+from swifttailor.wishes.instructions.sayings import plainly
+from swifttailor.wishes.instructions.spoken_changes import spoken_changes
 from swifttailor.wording.lexicon import read_words
 
 

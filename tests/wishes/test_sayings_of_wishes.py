@@ -10,9 +10,9 @@ from hypothesis import strategies as st
 
 from swifttailor.describing.claims import Claim
 from swifttailor.describing.differences import Gain
-from swifttailor.wishes.hearing import hear_description
+from swifttailor.wishes.descriptions.hearing import hear_description
+from swifttailor.wishes.descriptions.sayings_of_wishes import plainly_wished, without_asides
 from swifttailor.wishes.reader import WishReader
-from swifttailor.wishes.sayings_of_wishes import plainly_wished, without_asides
 
 
 @pytest.fixture(scope="module")

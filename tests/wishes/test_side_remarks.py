@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from swifttailor.wishes.side_remarks import without_side_remarks
+from swifttailor.wishes.outfits.side_remarks import without_side_remarks
 
 
 @pytest.mark.parametrize(

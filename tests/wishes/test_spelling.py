@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from swifttailor.wishes.spelling import _slips, common_slip, cut_words, neighbours, put_right
+from swifttailor.wishes.text.spelling import _slips, common_slip, cut_words, neighbours, put_right
 from swifttailor.wording.lexicon import all_entries
 from swifttailor.wording.wordings import all_wordings
 

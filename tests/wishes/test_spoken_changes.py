@@ -8,11 +8,11 @@ from hypothesis import strategies as st
 
 from swifttailor.describing.claims import Claim
 from swifttailor.describing.differences import Gain, Step
-from swifttailor.wishes.change_parts import PARTS, changes_of
-from swifttailor.wishes.change_words import find_changes, find_parts
-from swifttailor.wishes.spoken_amounts import by_a_bit
-from swifttailor.wishes.spoken_changes import spoken_changes
-from swifttailor.wishes.spoken_clauses import other_than
+from swifttailor.wishes.instructions.change_parts import PARTS, changes_of
+from swifttailor.wishes.instructions.change_words import find_changes, find_parts
+from swifttailor.wishes.instructions.spoken_amounts import by_a_bit
+from swifttailor.wishes.instructions.spoken_changes import spoken_changes
+from swifttailor.wishes.instructions.spoken_clauses import other_than
 from swifttailor.wording.lexicon import read_words
 
 

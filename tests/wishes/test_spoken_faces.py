@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from swifttailor.wishes.hearing import hear_description
+from swifttailor.wishes.descriptions.hearing import hear_description
 from swifttailor.wishes.reader import WishReader
-from swifttailor.wishes.spoken_faces import spoken_faces
+from swifttailor.wishes.text.spoken_faces import spoken_faces
 
 
 @pytest.mark.parametrize(

@@ -8,8 +8,8 @@ from hypothesis import strategies as st
 
 from swifttailor.describing.claims import Claim
 from swifttailor.describing.differences import Gain
-from swifttailor.wishes.spoken_hems import spoken_bounds, spoken_hem, spoken_slit
-from swifttailor.wishes.spoken_measures import can_measure, spoken_measures
+from swifttailor.wishes.text.spoken_hems import spoken_bounds, spoken_hem, spoken_slit
+from swifttailor.wishes.text.spoken_measures import can_measure, spoken_measures
 from swifttailor.wording.lexicon import read_words
 
 

@@ -9,16 +9,16 @@ from swifttailor.describing import Claim
 from swifttailor.describing.differences import Gain, Step, subject_of
 from swifttailor.describing.dimensions import QUANTITIES
 from swifttailor.describing.measuring import measure_facts
-from swifttailor.wishes.hearing_changes import hear_instruction
-from swifttailor.wishes.reader import Wish, WishReader
-from swifttailor.wishes.spoken_of import (
+from swifttailor.wishes.instructions.hearing_changes import hear_instruction
+from swifttailor.wishes.instructions.spoken_of import (
     NEVER,
     UNNAMED,
     is_lacking,
     is_of_places,
     parts_spoken_of,
 )
-from swifttailor.wishes.whole_instruction import AT_ODDS, without_guesses
+from swifttailor.wishes.instructions.whole_instruction import AT_ODDS, without_guesses
+from swifttailor.wishes.reader import Wish, WishReader
 
 LONGER_SLEEVES, LONGER = Step("sleeve length", 1), Step("length", 1)
 

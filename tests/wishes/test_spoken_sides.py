@@ -9,8 +9,8 @@ from test_spoken_changes import gain, heard
 
 from swifttailor.describing.claims import Claim
 from swifttailor.describing.differences import Step
-from swifttailor.wishes.mentions import find_mentions
-from swifttailor.wishes.spoken_sides import blanked, spoken_sides
+from swifttailor.wishes.text.mentions import find_mentions
+from swifttailor.wishes.text.spoken_sides import blanked, spoken_sides
 
 
 @pytest.mark.parametrize(

@@ -9,7 +9,12 @@ from swifttailor.describing import Claim
 from swifttailor.describing.differences import Gain, Step
 from swifttailor.describing.dimensions import QUANTITIES
 from swifttailor.describing.measuring import measure_facts
-from swifttailor.wishes.stated_figures import by_the_number, is_stated, to_the_number, without_steps_to
+from swifttailor.wishes.instructions.stated_figures import (
+    by_the_number,
+    is_stated,
+    to_the_number,
+    without_steps_to,
+)
 
 
 @pytest.fixture(scope="module")

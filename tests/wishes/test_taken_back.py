@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from swifttailor.wishes.taken_back import without_taken_back
+from swifttailor.wishes.instructions.taken_back import without_taken_back
 
 
 @pytest.mark.parametrize(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from swifttailor.wishes.text_as_read import text_as_read
+from swifttailor.wishes.text.text_as_read import text_as_read
 
 
 @pytest.mark.parametrize(

@@ -7,8 +7,8 @@ import pytest
 
 from swifttailor.pattern.drafts import draft
 from swifttailor.pattern.drafts.draft_names import NamedDraft
-from swifttailor.wishes.tier_heights import tier_as_said
-from swifttailor.wishes.unread import unread_numbers
+from swifttailor.wishes.text.tier_heights import tier_as_said
+from swifttailor.wishes.text.unread import unread_numbers
 
 
 @pytest.mark.parametrize(

@@ -5,11 +5,11 @@ from __future__ import annotations
 import pytest
 
 from swifttailor.pattern.drafts.draft_names import NamedDraft
+from swifttailor.wishes.descriptions.sayings_of_wishes import plainly_wished, without_asides
+from swifttailor.wishes.drafts.legs_by_words import legs_as_said
 from swifttailor.wishes.heard import Heard
-from swifttailor.wishes.legs_by_words import legs_as_said
-from swifttailor.wishes.sayings_of_wishes import plainly_wished, without_asides
-from swifttailor.wishes.trims_by_place import is_elastic_behind, trims_by_place
-from swifttailor.wishes.trims_wanted import trims_wanted
+from swifttailor.wishes.trims.trims_by_place import is_elastic_behind, trims_by_place
+from swifttailor.wishes.trims.trims_wanted import trims_wanted
 from swifttailor.wording import read_words
 
 

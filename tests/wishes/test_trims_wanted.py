@@ -9,10 +9,10 @@ import pytest
 from swifttailor.describing.claims import Claim
 from swifttailor.describing.differences import Gain
 from swifttailor.pattern.trims import TRIMS
-from swifttailor.wishes.closed_behind import without_opposites
+from swifttailor.wishes.corrections.closed_behind import without_opposites
 from swifttailor.wishes.heard import Heard
 from swifttailor.wishes.reader import Wish
-from swifttailor.wishes.trims_wanted import TRIMS_OF, refused_trims, speaks_of_trims_alone, trims_wanted
+from swifttailor.wishes.trims.trims_wanted import TRIMS_OF, refused_trims, speaks_of_trims_alone, trims_wanted
 from swifttailor.wording import cannot_texts, read_words
 from swifttailor.wording.lexicon import all_entries
 

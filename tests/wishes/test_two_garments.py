@@ -3,7 +3,7 @@
 import pytest
 
 from swifttailor.tailor import Order
-from swifttailor.wishes.two_garments import two_garments
+from swifttailor.wishes.outfits.two_garments import two_garments
 from swifttailor.wording.lexicon import read_words
 from swifttailor.wording.lexicon.outfits import _outfits
 

@@ -7,7 +7,7 @@ import pytest
 from swifttailor.describing import Claim
 from swifttailor.describing.differences import Change, Gain, Step
 from swifttailor.wishes.reader import SURE, WishReader
-from swifttailor.wishes.unread import MOST_TESTED, not_understood, says_nothing_else
+from swifttailor.wishes.text.unread import MOST_TESTED, not_understood, says_nothing_else
 
 
 @pytest.fixture(scope="module")

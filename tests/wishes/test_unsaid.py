@@ -9,7 +9,7 @@ from swifttailor.describing import Claim, measure_facts
 from swifttailor.describing.differences import Gain
 from swifttailor.pattern.drafts import list_drafts
 from swifttailor.recutting import alter
-from swifttailor.wishes.unsaid import leaves_hem_unsaid, unsaid_wishes
+from swifttailor.wishes.assumed.unsaid import leaves_hem_unsaid, unsaid_wishes
 
 
 def wished(name: str, *said: Claim) -> set[tuple[str, object]]:

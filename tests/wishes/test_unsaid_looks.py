@@ -9,8 +9,8 @@ from hypothesis import strategies as st
 from swifttailor.describing import Claim
 from swifttailor.describing.claims import CLAIM_TYPES
 from swifttailor.describing.differences import Gain
+from swifttailor.wishes.assumed.unsaid_looks import unexpected_looks
 from swifttailor.wishes.reader import Wish
-from swifttailor.wishes.unsaid_looks import unexpected_looks
 from swifttailor.wording.claim_kinds import fits_kind
 
 KINDS = CLAIM_TYPES["kind"].words

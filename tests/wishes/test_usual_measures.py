@@ -9,8 +9,7 @@ from swifttailor.describing.claims import CLAIM_TYPES
 from swifttailor.describing.differences import Gain
 from swifttailor.pattern_library.sought import Sought
 from swifttailor.picture_reader.labels import measure_labels
-from swifttailor.wishes.reader import Wish
-from swifttailor.wishes.usual_measures import (
+from swifttailor.wishes.assumed.usual_measures import (
     CLOSE_NECK,
     FULL_GATHERS,
     FULL_TIERS,
@@ -19,6 +18,7 @@ from swifttailor.wishes.usual_measures import (
     usual_measures,
     usual_necks,
 )
+from swifttailor.wishes.reader import Wish
 
 
 def of(kind, *told, certainty=0.97):

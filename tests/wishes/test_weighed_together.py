@@ -5,9 +5,9 @@ from __future__ import annotations
 from swifttailor.describing.claims import Claim
 from swifttailor.describing.differences import Gain
 from swifttailor.pattern.drafts.draft_names import NamedDraft
+from swifttailor.wishes.corrections.weighed_together import other_slits, weighed_all, without_flare
+from swifttailor.wishes.drafts.refused_looks import as_not_refused
 from swifttailor.wishes.reader import Wish
-from swifttailor.wishes.refused_looks import as_not_refused
-from swifttailor.wishes.weighed_together import other_slits, weighed_all, without_flare
 
 FROM_THE_KNEE, KNEE = Claim("skirt", "fitted base"), Claim("skirt_hem", "knee")
 CLOSE, LOOSE = Claim("hips", "close"), Claim("fit", "loose")

@@ -10,7 +10,7 @@ import swifttailor
 from swifttailor.describing import Claim, measure_facts
 from swifttailor.describing.differences import Gain, Step
 from swifttailor.recutting import alter
-from swifttailor.wishes.well_within import FLOOR_AT_LEAST_CM, FLOOR_CM, off_the_floor, well_within
+from swifttailor.wishes.assumed.well_within import FLOOR_AT_LEAST_CM, FLOOR_CM, off_the_floor, well_within
 
 CASES = [
     ("trousers", {"length": 92.0}, Claim("leg_hem", "full"), "inseam_cm"),

@@ -8,10 +8,8 @@ import swifttailor
 from swifttailor.describing import Claim
 from swifttailor.describing.differences import Gain, Step
 from swifttailor.describing.measuring import measure_facts
-from swifttailor.wishes.hearing_changes import hear_instruction
-from swifttailor.wishes.labels import change_of, statement_labels
-from swifttailor.wishes.reader import Wish, WishReader
-from swifttailor.wishes.whole_instruction import (
+from swifttailor.wishes.instructions.hearing_changes import hear_instruction
+from swifttailor.wishes.instructions.whole_instruction import (
     AT_ODDS,
     DOUBTED,
     GUESS,
@@ -22,6 +20,8 @@ from swifttailor.wishes.whole_instruction import (
     uncertain,
     with_the_whole,
 )
+from swifttailor.wishes.labels import change_of, statement_labels
+from swifttailor.wishes.reader import Wish, WishReader
 
 SHORTER, HOOD, NO_HOOD = Step("length", -1), Gain(Claim("hood", "hood")), Gain(Claim("hood", "none"))
 V_NECK, SQUARE = Gain(Claim("neckline", "v")), Gain(Claim("neckline", "square"))

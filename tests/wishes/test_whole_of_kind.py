@@ -8,7 +8,7 @@ import swifttailor
 from swifttailor.describing import Claim
 from swifttailor.describing.differences import Gain, Step
 from swifttailor.describing.measuring import measure_facts
-from swifttailor.wishes.whole_of_kind import of_kind
+from swifttailor.wishes.instructions.whole_of_kind import of_kind
 
 
 def gain(name, value):

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from swifttailor.describing.differences import Step
-from swifttailor.wishes.whole_sentences import BELIEVED, LONG_WORDS, PLAIN, is_letter, whole_of
+from swifttailor.wishes.instructions.whole_sentences import BELIEVED, LONG_WORDS, PLAIN, is_letter, whole_of
 
 SHORTER, LONGER, TIGHTER = Step("length", -1), Step("length", 1), Step("chest", -1)
 CHAT = "I have worn it to the theatre and to two birthdays and my sister has borrowed it once or twice."

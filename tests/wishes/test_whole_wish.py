@@ -8,11 +8,11 @@ from hypothesis import strategies as st
 
 from swifttailor.describing import Claim
 from swifttailor.describing.differences import Gain, Step
-from swifttailor.wishes.hearing import hear_description
+from swifttailor.wishes.descriptions.hearing import hear_description
+from swifttailor.wishes.descriptions.whole_wish import DOUBTED, LIKELY, MEANT, described_as_a_whole
 from swifttailor.wishes.labels import change_of, statement_labels
 from swifttailor.wishes.reader import Wish, WishReader
-from swifttailor.wishes.whole_sides import is_of_one_side, speaks_of_sides
-from swifttailor.wishes.whole_wish import DOUBTED, LIKELY, MEANT, described_as_a_whole
+from swifttailor.wishes.text.whole_sides import is_of_one_side, speaks_of_sides
 from swifttailor.wording.lexicon import SURENESS, exclude
 
 DRESS, SHORTS = Gain(Claim("kind", "dress")), Gain(Claim("kind", "shorts"))

@@ -11,7 +11,7 @@ from swifttailor.describing import Claim, measure_facts
 from swifttailor.describing.differences import Gain, Step
 from swifttailor.describing.facts import Cuff
 from swifttailor.recutting import alter
-from swifttailor.wishes.within_usual import beyond_usual, within_usual
+from swifttailor.wishes.assumed.within_usual import beyond_usual, within_usual
 
 
 @pytest.fixture(scope="module")

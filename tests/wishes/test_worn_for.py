@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from swifttailor.wishes.hearing import hear_description
+from swifttailor.wishes.descriptions.hearing import hear_description
+from swifttailor.wishes.descriptions.worn_for import worn_for
 from swifttailor.wishes.reader import WishReader
-from swifttailor.wishes.worn_for import worn_for
 from swifttailor.wording.lexicon import read_words
 from swifttailor.wording.lexicon.vocabulary import all_entries
 

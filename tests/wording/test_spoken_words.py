@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from swifttailor.wishes.mentions import find_mentions
+from swifttailor.wishes.text.mentions import find_mentions
 from swifttailor.wording.lexicon import read_words
 from swifttailor.wording.lexicon.inflection import base_forms
 

@@ -133,7 +133,7 @@ class Generate(Making):
             return ("",)
         if self.image:
             return ("", *_BOTH)
-        from swifttailor.wishes.two_garments import two_garments
+        from swifttailor.wishes.outfits.two_garments import two_garments
 
         return _BOTH if two_garments(self.text) is not None else ("",)
 
@@ -152,7 +152,7 @@ class Generate(Making):
                     f'--image: swifttailor generate "{path}" --image {self.image[0]}'
                 )
         if self.part in _BOTH and not self.image:
-            from swifttailor.wishes.two_garments import two_garments
+            from swifttailor.wishes.outfits.two_garments import two_garments
 
             if two_garments(self.text) is None:
                 raise InputError(

@@ -26,10 +26,10 @@ from swifttailor.tailor.candidates import Candidate
 from swifttailor.tailor.reading import Wanted, altered, checked, facts_of
 from swifttailor.tailor.sitting import sits_badly
 from swifttailor.tailor.verdict import Verdict
-from swifttailor.wishes.loose_wholes import loosened
-from swifttailor.wishes.unsaid import leaves_hem_unsaid, unsaid_wishes
-from swifttailor.wishes.well_within import as_stated, off_the_floor, well_within
-from swifttailor.wishes.within_usual import beyond_usual, within_usual
+from swifttailor.wishes.assumed.unsaid import leaves_hem_unsaid, unsaid_wishes
+from swifttailor.wishes.assumed.well_within import as_stated, off_the_floor, well_within
+from swifttailor.wishes.assumed.within_usual import beyond_usual, within_usual
+from swifttailor.wishes.corrections.loose_wholes import loosened
 
 NARROWEST_SLEEVE_CM, NARROWEST_HEM_CM = 14.0, 60.0
 """No hand goes through less, and nobody walks in less; 16.6 cm around sleeves and 69.8 around skirts are the

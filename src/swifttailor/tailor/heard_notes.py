@@ -80,7 +80,7 @@ def heard_notes(wanted: Wanted) -> list[str]:
         named = f"{heard.words.colors[0].words} ({heard.color})" if heard.words.colors else heard.color
         found.append(f"Colour: {named}{more}.")
     if heard.print is not None:
-        from swifttailor.wishes.heard_print import print_line
+        from swifttailor.wishes.looks.heard_print import print_line
 
         found.append(f"Print: {print_line(heard.print)}.")
     if heard.looks.looks:

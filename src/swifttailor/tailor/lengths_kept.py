@@ -11,7 +11,7 @@ from swifttailor.describing.measuring import measure_facts
 from swifttailor.errors import SwiftTailorError
 from swifttailor.recutting.alter import alter
 from swifttailor.tailor.answer import Answer
-from swifttailor.wishes.spoken_measures import length_on
+from swifttailor.wishes.text.spoken_measures import length_on
 
 LENGTHS = frozenset({"skirt_hem", "top_hem", "leg_hem", "sleeves", "left_sleeve", "right_sleeve"})
 """Claims about where a part of the garment ends on its wearer."""

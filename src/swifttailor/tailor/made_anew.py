@@ -32,7 +32,7 @@ from swifttailor.tailor.answer import Answer
 from swifttailor.tailor.counted import counted_pattern
 from swifttailor.tailor.fitting import judged
 from swifttailor.tailor.reading import Wanted
-from swifttailor.wishes.changes_of_garment import named_kind
+from swifttailor.wishes.instructions.changes_of_garment import named_kind
 
 MOST_TRIED = 6
 """Known patterns that are cut for one instruction."""

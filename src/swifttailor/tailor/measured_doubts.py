@@ -12,7 +12,7 @@ from swifttailor.describing.differences import Change, Gain, subject_of
 from swifttailor.describing.facts import GarmentFacts
 from swifttailor.recutting.to_the_figure import figures_missed
 from swifttailor.recutting.unasked import KEPT_CM, spoken_parts, unasked
-from swifttailor.wishes.mentions import find_mentions
+from swifttailor.wishes.text.mentions import find_mentions
 from swifttailor.wording.lexicon import WordMark
 
 if TYPE_CHECKING:

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from swifttailor.garment.cloth_print import ClothPrint
     from swifttailor.garment.part_looks import PartLook
     from swifttailor.tailor.looking import SeenPicture
-    from swifttailor.wishes.two_garments import TwoGarments
+    from swifttailor.wishes.outfits.two_garments import TwoGarments
 
 MOST_SAMPLES = MOST_ATTEMPTS = 64
 USUAL_ATTEMPTS = 4
@@ -144,7 +144,7 @@ class Order:
     @property
     def outfit(self) -> TwoGarments | None:
         """The two garments that the description names; None where it names one."""
-        from swifttailor.wishes.two_garments import two_garments
+        from swifttailor.wishes.outfits.two_garments import two_garments
 
         return two_garments(self.text) if self.edit is None and self.text.strip() else None
 

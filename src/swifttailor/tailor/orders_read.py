@@ -19,12 +19,12 @@ from swifttailor.tailor.picture_color import color_taken
 from swifttailor.tailor.picture_words import in_words, over_trousers
 from swifttailor.tailor.reading import Wanted, facts_of
 from swifttailor.tailor.seen_wishes import not_overruled, seen_wishes
+from swifttailor.wishes.descriptions.hearing import hear_description
+from swifttailor.wishes.descriptions.no_garment import asks_for_none
 from swifttailor.wishes.heard import Heard
-from swifttailor.wishes.hearing import hear_description
-from swifttailor.wishes.hearing_changes import hear_instruction
-from swifttailor.wishes.no_garment import asks_for_none
+from swifttailor.wishes.instructions.hearing_changes import hear_instruction
 from swifttailor.wishes.reader import SURE, Wish, WishReader
-from swifttailor.wishes.wearer_words import hear_wearer
+from swifttailor.wishes.wearers.wearer_words import hear_wearer
 
 _UNREAD = (
     "The picture was shown to PatternMaker and not read: this version comes without weights of a picture "

@@ -33,12 +33,12 @@ from swifttailor.recutting.to_the_figure import to_the_figures
 from swifttailor.tailor.looking import SeenPicture
 from swifttailor.tailor.order import Order, one_line
 from swifttailor.tailor.seen_wishes import LEAST_CUT, LEAST_CUT_OF_DRAFT
+from swifttailor.wishes.assumed.unsaid_looks import unexpected_looks
+from swifttailor.wishes.assumed.usual_measures import usual_measures, usual_necks
+from swifttailor.wishes.corrections.loose_wholes import of_loose_wholes
+from swifttailor.wishes.descriptions.own_words import in_own_words
 from swifttailor.wishes.heard import HEARD_NOTHING, Heard
-from swifttailor.wishes.loose_wholes import of_loose_wholes
-from swifttailor.wishes.own_words import in_own_words
 from swifttailor.wishes.reader import Wish
-from swifttailor.wishes.unsaid_looks import unexpected_looks
-from swifttailor.wishes.usual_measures import usual_measures, usual_necks
 from swifttailor.wording.lexicon import SURENESS
 
 _UNSAID = (Claim("hem_shape", "level"), Claim("sides", "alike"))

@@ -27,9 +27,9 @@ from swifttailor.tailor.protocols import Sewer
 from swifttailor.tailor.tailored import Tailored
 from swifttailor.tailor.verdict import Verdict
 from swifttailor.tailor.worn_shoulders import SLIPS, slips_off
-from swifttailor.wishes.flecks import flecked
-from swifttailor.wishes.ribs import ribbed
-from swifttailor.wishes.satin import SATIN, is_satin
+from swifttailor.wishes.looks.flecks import flecked
+from swifttailor.wishes.looks.ribs import ribbed
+from swifttailor.wishes.looks.satin import SATIN, is_satin
 
 if TYPE_CHECKING:
     from swifttailor.draping.fabric import Fabric

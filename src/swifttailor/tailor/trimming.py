@@ -11,12 +11,12 @@ from swifttailor.pattern.trims import LIKE_EACH_OTHER, trims_that_fit
 from swifttailor.pattern.trims.names import CLOSES_FRONT, COUNTED
 from swifttailor.tailor.answer import Answer
 from swifttailor.tailor.reading import facts_of
-from swifttailor.wishes.button_counts import buttons_stated, usual_buttons
-from swifttailor.wishes.changes_of_garment import named_kind
 from swifttailor.wishes.heard import Heard
-from swifttailor.wishes.heard_looks import look_refused
-from swifttailor.wishes.ribs import RIBBED
-from swifttailor.wishes.trims_wanted import TRIMS_OF, refused_trims, trims_wanted
+from swifttailor.wishes.instructions.changes_of_garment import named_kind
+from swifttailor.wishes.looks.heard_looks import look_refused
+from swifttailor.wishes.looks.ribs import RIBBED
+from swifttailor.wishes.trims.button_counts import buttons_stated, usual_buttons
+from swifttailor.wishes.trims.trims_wanted import TRIMS_OF, refused_trims, trims_wanted
 
 _CLOSES_NECKS = ("polo placket", "half zip", "waist placket")
 _CLOSED_BY_IT = ("open_front", "hooks")

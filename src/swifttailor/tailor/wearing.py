@@ -14,7 +14,7 @@ from swifttailor.tailor.lengths_kept import with_lengths_kept
 from swifttailor.tailor.order import Order
 from swifttailor.tailor.refitted import refitted
 from swifttailor.tailor.sewing import SewingOptions, prepare
-from swifttailor.wishes.wearer_words import hear_wearer
+from swifttailor.wishes.wearers.wearer_words import hear_wearer
 
 if TYPE_CHECKING:
     from swifttailor.tailor.protocols import Sewer

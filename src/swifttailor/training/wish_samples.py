@@ -15,8 +15,8 @@ from swifttailor.training.misspelling import misspell
 from swifttailor.training.spoken_texts import SpokenText
 from swifttailor.training.wish_words import FILLERS, say_nothing, say_otherwise
 from swifttailor.wishes.labels import label_of, number_labels, statement_labels
-from swifttailor.wishes.mentions import Mention
-from swifttailor.wishes.text_tokens import ReadyText, Tokenizer, text_tokens
+from swifttailor.wishes.text.mentions import Mention
+from swifttailor.wishes.text.text_tokens import ReadyText, Tokenizer, text_tokens
 from swifttailor.wording.captions import write_caption
 from swifttailor.wording.instructions.writer import write_instruction
 

@@ -20,7 +20,7 @@ from swifttailor.wishes.labels import number_labels, statement_labels
 from swifttailor.wishes.network_torch import ReaderConfig, WishNetwork
 from swifttailor.wishes.reader import INPUTS, KIND, OUTPUTS, SPOKEN_KIND, WishReader
 from swifttailor.wishes.spoken_network_torch import SpokenNetwork
-from swifttailor.wishes.text_tokens import EXTRA_TOKENS, PADDING, Tokenizer
+from swifttailor.wishes.text.text_tokens import EXTRA_TOKENS, PADDING, Tokenizer
 
 _EXAMPLE_TOKENS = 7
 assert PADDING == EXTRA_TOKENS - 1, "padding is the last token"

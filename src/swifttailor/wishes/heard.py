@@ -12,13 +12,13 @@ from swifttailor.describing.differences import Change, Gain
 from swifttailor.garment.cloth_print import ClothPrint
 from swifttailor.pattern.drafts.draft_names import ARMHOLES, NamedDraft
 from swifttailor.render.lab import lab_of_hex
-from swifttailor.wishes.flecks import is_flecked
-from swifttailor.wishes.heard_drafts import drafts_of
-from swifttailor.wishes.heard_looks import NO_LOOKS, HeardLooks, heard_looks
-from swifttailor.wishes.heard_print import asks_for_plain, heard_print
-from swifttailor.wishes.lexicon_spelling import near_names
+from swifttailor.wishes.drafts.heard_drafts import drafts_of
+from swifttailor.wishes.looks.flecks import is_flecked
+from swifttailor.wishes.looks.heard_looks import NO_LOOKS, HeardLooks, heard_looks
+from swifttailor.wishes.looks.heard_print import asks_for_plain, heard_print
+from swifttailor.wishes.looks.ribs import ribs
 from swifttailor.wishes.reader import Wish
-from swifttailor.wishes.ribs import ribs
+from swifttailor.wishes.text.lexicon_spelling import near_names
 from swifttailor.wording.claim_kinds import implied_kind
 from swifttailor.wording.lexicon import (
     Entry,

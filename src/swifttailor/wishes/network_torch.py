@@ -8,7 +8,7 @@ import torch
 from torch import nn
 from torch.nn import functional as F
 
-from swifttailor.wishes.text_tokens import LONGEST
+from swifttailor.wishes.text.text_tokens import LONGEST
 
 
 @dataclass(frozen=True)

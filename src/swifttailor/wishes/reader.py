@@ -13,12 +13,12 @@ from swifttailor.describing.differences import Change, Step, subject_of
 from swifttailor.networks.model_file import GRAPH, ModelKind, open_model
 from swifttailor.networks.text_tokenizer import TextTokenizer
 from swifttailor.networks.word_pieces import WordPieces
-from swifttailor.wishes.clauses import clauses
 from swifttailor.wishes.labels import change_of, label_of
-from swifttailor.wishes.mentions import Mention, find_mentions
-from swifttailor.wishes.phrase_book import find_phrases
-from swifttailor.wishes.text_tokens import EXTRA_TOKENS, LONGEST_TEXT, ReadyText, Tokenizer, text_tokens
-from swifttailor.wishes.whole_sides import is_of_one_side, speaks_of_sides
+from swifttailor.wishes.text.clauses import clauses
+from swifttailor.wishes.text.mentions import Mention, find_mentions
+from swifttailor.wishes.text.phrase_book import find_phrases
+from swifttailor.wishes.text.text_tokens import EXTRA_TOKENS, LONGEST_TEXT, ReadyText, Tokenizer, text_tokens
+from swifttailor.wishes.text.whole_sides import is_of_one_side, speaks_of_sides
 
 SHIPPED, SHIPPED_SPOKEN = (
     Path(__file__).with_name(name) for name in ("wish_reader.onnx", "spoken_reader.onnx")

@@ -11,7 +11,7 @@ from torch import nn
 from torch.nn import functional as F
 
 from swifttailor.wishes.network_torch import ReaderConfig
-from swifttailor.wishes.text_tokens import LONGEST
+from swifttailor.wishes.text.text_tokens import LONGEST
 
 _EPSILON = 1e-12
 _FASTER = 8.0

@@ -12,7 +12,7 @@ from swifttailor.describing.differences import Gain
 from swifttailor.describing.measuring import measure_facts
 from swifttailor.pattern import Pattern
 from swifttailor.pattern.drafts import draft
-from swifttailor.wishes.well_within import well_within
+from swifttailor.wishes.assumed.well_within import well_within
 
 
 @pytest.mark.parametrize("name", ["shirt", "fitted-dress", "shirt-dress"])

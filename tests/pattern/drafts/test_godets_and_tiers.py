@@ -9,8 +9,8 @@ from swifttailor.describing import Claim
 from swifttailor.describing.measuring import measure_facts
 from swifttailor.pattern.drafts import draft
 from swifttailor.pattern.drafts.draft_names import NamedDraft
-from swifttailor.wishes.godets_as_asked import godets_as_asked
-from swifttailor.wishes.tiers_as_asked import tiers_as_asked
+from swifttailor.wishes.drafts.godets_as_asked import godets_as_asked
+from swifttailor.wishes.drafts.tiers_as_asked import tiers_as_asked
 
 GODETS, TIERED, FULL = Claim("skirt", "godets"), Claim("skirt", "tiered"), Claim("skirt", "flared")
 CLOSE = Claim("hips", "close")

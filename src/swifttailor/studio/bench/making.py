@@ -19,7 +19,7 @@ from swifttailor.studio.worker.refusal import refusal_of
 from swifttailor.tailor.all_parts import orders_of_parts
 from swifttailor.tailor.order import Order, Part
 from swifttailor.tailor.tailored import Tailored
-from swifttailor.wishes.wearer_words import hear_wearer
+from swifttailor.wishes.wearers.wearer_words import hear_wearer
 
 
 def generate(

@@ -1,0 +1,1 @@
+"""What goes without saying: what is assumed of a garment where nobody speaks of it."""

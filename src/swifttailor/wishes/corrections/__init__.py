@@ -1,0 +1,1 @@
+"""What the networks read in a text, put right by its words."""

@@ -1,0 +1,1 @@
+"""What a description of a garment asks for, by words and network together."""

@@ -1,0 +1,338 @@
+"""What a text asks for, by the lexicon of clothes and the network together.
+
+What words mean by definition and what details say comes first, then what the network reads, then what the
+names of garments usually imply. The network alone reads numbers, changes of measures, and how words hang
+together.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
+
+from swifttailor.describing.claims import Claim
+from swifttailor.describing.differences import Change, Gain
+from swifttailor.wishes.corrections.closed_behind import without_opposites
+from swifttailor.wishes.corrections.deep_cuffs import without_deep_cuffs
+from swifttailor.wishes.corrections.long_names import (
+    against_names,
+    against_phrases,
+    hangs_so,
+    is_against_phrase,
+    is_long_name,
+)
+from swifttailor.wishes.corrections.one_arm import (
+    of_one_arm,
+    of_two_arms,
+    with_both_arms,
+    without_guessed_length,
+)
+from swifttailor.wishes.corrections.sureness import likely_wishes, sure_wishes
+from swifttailor.wishes.corrections.weighed_together import (
+    of_both_faces,
+    other_slits,
+    weighed_all,
+    without_flare,
+)
+from swifttailor.wishes.descriptions.kind_of_details import (
+    fitting_the_name,
+    skirts_of_dresses,
+    with_one_band,
+    within_the_name,
+    without_wrong_kind,
+)
+from swifttailor.wishes.descriptions.made_into import made_into_a_dress
+from swifttailor.wishes.descriptions.sayings_of_wishes import plainly_wished, without_asides
+from swifttailor.wishes.descriptions.united import explained, united
+from swifttailor.wishes.descriptions.whole_wish import described_as_a_whole
+from swifttailor.wishes.descriptions.worn_for import worn_for
+from swifttailor.wishes.drafts.refused_looks import refused_frills
+from swifttailor.wishes.heard import HEARD_NOTHING, Heard
+from swifttailor.wishes.instructions.spoken_of import is_of_places
+from swifttailor.wishes.looks.words_of_looks import has_sheer_sleeves, spans_of_looks
+from swifttailor.wishes.outfits.first_piece import first_piece
+from swifttailor.wishes.outfits.side_remarks import without_side_remarks
+from swifttailor.wishes.reader import SURE, Wish, WishReader
+from swifttailor.wishes.text.accounting import subjects_spoken_of, unaccounted
+from swifttailor.wishes.text.lexicon_spelling import guessed_name
+from swifttailor.wishes.text.spoken_faces import spoken_faces
+from swifttailor.wishes.text.spoken_hems import spoken_bounds, spoken_hem, spoken_slit
+from swifttailor.wishes.text.spoken_measures import SpokenMeasure, can_measure, same_number, spoken_measures
+from swifttailor.wishes.text.spoken_sides import spoken_sides, without_spans
+from swifttailor.wishes.text.text_as_read import ENGLISH, lacks_of, text_as_read
+from swifttailor.wishes.text.unread import unread_numbers
+from swifttailor.wishes.trims.button_counts import buttons_stated
+from swifttailor.wording.claim_kinds import fits_kind
+from swifttailor.wording.lexicon import SURENESS, Implication, WordReading, exclude, glossed, read_words
+from swifttailor.wording.lexicon.conflicts import SCALES
+from swifttailor.wording.lexicon.long_tops import kinds_outgrown
+
+
+def hear_description(text: str, reader: WishReader, *, alone: bool = True) -> Heard:
+    """What garment a text describes.
+
+    Where nothing tells which garment is meant, a name that is spelt like a word that nobody knows is taken as
+    a guess, and said to be one.
+
+    Args:
+        text: In English, or of another language that is read what the lexicon knows.
+        reader: The network.
+        alone: Whether there is no picture that shows which garment is meant.
+    """
+    return _described(text, reader, alone=alone).with_looks() if text.strip() else HEARD_NOTHING
+
+
+def _described(text: str, reader: WishReader, *, alone: bool) -> Heard:
+    """The same without looks of parts."""
+    text = glossed(text)
+    heard = _heard_description(text, reader)
+    meant = worn_for(heard) if alone else None
+    if meant is not None:
+        again = _heard_description(f"{meant}, {heard.text}", reader)
+        return replace(again, text=heard.text, guess=meant)
+    near = None if _is_named(heard) else guessed_name(heard.unread)
+    if near is None:
+        return heard
+    word, name = near
+    again = _heard_description(heard.text.replace(word, name), reader)
+    if again.kind is None:
+        return heard
+    return replace(again, text=heard.text, unread=tuple(dict.fromkeys([word, *again.unread])), guess=name)
+
+
+def _is_named(heard: Heard) -> bool:
+    """Whether it is heard which garment is meant; what the network only takes for likely may be a guess."""
+    claims = [w.change.claim for w in heard.sure if isinstance(w.change, Gain)]
+    claims += [] if heard.words is None else [i.claim for i in heard.words.implications]
+    return any(c.name == "kind" for c in claims) or (heard.kind is not None and bool(claims))
+
+
+def _heard_description(text: str, reader: WishReader) -> Heard:
+    text, words = text_as_read(made_into_a_dress(without_side_remarks(without_asides(first_piece(text)))))
+    own, before = text, words
+    if (plain := plainly_wished(text)) != text:
+        text, words = plain, read_words(plain)
+    if words.language == ENGLISH and (dress := skirts_of_dresses(text, words)) != text:
+        text, words = dress, read_words(dress)
+    plainly = {i.claim for i in words.implications if i.said} - {i.claim for i in before.implications}
+    network = reader.read(text, instruction=False) if words.language == ENGLISH else ()
+    named = next((str(i.claim.value) for i in words.implications if i.claim.name == "kind"), None)
+    measures = spoken_measures(text, named)
+    hem = spoken_hem(text, named)
+    sides = spoken_sides(text).beside(spoken_faces(text))
+    words = without_spans(words, sides.spans)
+    said = [m.claim for m in measures if m.claim is not None] + ([] if hem is None else [hem])
+    said += sides.claims
+    said += (bounds := spoken_bounds(text, words, named))
+    slit = spoken_slit(text, words)
+    if slit is not None and (named is None or fits_kind(slit.name, named)):
+        said.append(slit)
+    network = [w for w in network if not is_against_phrase(w, words) and can_measure(w.change)]
+    against = against_names(words)
+    refused = (*words.never, *_with_parts(words), *refused_frills(words), *against.values())
+    refused = (*refused, *kinds_outgrown(words))
+    never = tuple([claim for claim in refused if claim not in said and not hangs_so(claim, words)])
+    never = (*never, *other_slits(text, [*said, *[i.claim for i in words.implications]]))
+    unsaid = (*never, *before.never, *against_phrases(words))
+    network = [w for w in network if not _is_measured(w, measures) and not _is_outdone(w, said, unsaid)]
+    network = _within_names(network, words)
+    found = explained(text, words, network) or united(text, words, network)
+    stated = [Wish(Gain(claim), SURENESS["certain"]) for claim in said]
+    found = (
+        *stated,
+        *[w for w in found if not _is_outdone(w, said, never) and w.change not in _changes(stated)],
+    )
+    if words.language == ENGLISH:
+        alone = _kind_named_alone(text, words)
+        found = described_as_a_whole(
+            found,
+            reader.whole(own, instruction=False),
+            stated=[
+                *_changes(stated),
+                *[
+                    Gain(i.claim)
+                    for i in words.implications
+                    if i.mark.denied
+                    or i.claim in plainly
+                    or i.claim in against
+                    or is_long_name(i)
+                    or i in alone
+                    or (i.said and is_of_places(Gain(i.claim)))
+                ],
+            ],
+            named=[Gain(i.claim) for i in words.implications if not i.said],
+            said=[Gain(i.claim) for i in words.implications if i.said],
+            outdone=_outdone(words),
+            never=unsaid,
+            subjects=_only_subjects(words),
+        )
+    found = within_the_name(without_wrong_kind(found, said, words), words)
+    found = weighed_all(with_one_band(found, words), {i.claim for i in words.implications if not i.said})
+    found = (*without_deep_cuffs(text, words, without_flare(found)), *of_both_faces(text, found))
+    if any(claim == _BARE_ARMS for claim in never) and not any(
+        isinstance(w.change, Gain) and w.change.claim.name in ("sleeves", "left_sleeve", "sleeve_cm")
+        for w in found
+    ):
+        length = "long" if has_sheer_sleeves(words) else "short"
+        found = (*found, Wish(Gain(Claim("sleeves", length)), SURENESS["usual"]))
+    if words.language == ENGLISH:
+        found = _without_guesses(text, with_both_arms(text, found), words)
+    found = without_opposites(of_two_arms(of_one_arm(without_guessed_length(found, words))), words)
+    found = fitting_the_name(found, words)
+    changes = _changes(found)
+    slits = sum(isinstance(c, Gain) and c.claim.name == "slit" for c in changes)
+    heard = [m.mention for m in measures if m.claim or (not m.mention.is_length and m.mention.value <= slits)]
+    known = " ".join([*words.sizes, f"{buttons_stated(text) or ''}", *[text[m.start : m.end] for m in heard]])
+    unread = *words.unknown, *[n for n in unread_numbers(text, changes) if n not in known]
+    sure, likely = sure_wishes(found), likely_wishes(found)
+    silent = unaccounted(
+        words,
+        _changes((*sure, *likely)),
+        never,
+        [m.mention.end for m in measures],
+        compared=hem is not None or bool(bounds),
+        told=[*sides.spans, *spans_of_looks(words)],
+    )
+    return Heard(text, sure, likely, never, (*unread, *silent), lacks_of(words, changes, measures), words)
+
+
+def _kind_named_alone(text: str, words: WordReading) -> list[Implication]:
+    """The kind of the one garment that is named, where nothing says that another is meant ("over jeans")."""
+    names = [
+        m
+        for m in words.marks
+        if m.role not in ("part", "theirs") and any(e.category in _NAMES_THINGS for e in m.entries)
+    ]
+    kinds = [i for i in words.implications if i.claim.name == "kind" and i.mark.role == "garment"]
+    whole = {i.claim.value for i in kinds} <= _WHOLE_KINDS
+    alone = (len(words.marks) <= _NO_STORY or whole) and len(names) == 1
+    alone = alone and not _BESIDE.search(text[: names[0].start])
+    return kinds if alone and len({i.claim.value for i in kinds}) == 1 else []
+
+
+def _outdone(words: WordReading) -> list[Gain]:
+    """What names of garments usually stand for, and a detail contradicts."""
+    meant = {i.claim for i in words.implications}
+    marks = [mark for mark in words.marks if mark.role == "garment" and not mark.denied]
+    usual = [each.claim for mark in marks for entry in mark.entries for each in entry.implied]
+    return [Gain(claim) for claim in usual if claim not in meant]
+
+
+def _only_subjects(words: WordReading) -> frozenset[str] | None:
+    """What a text of few words is about, all of which are known; None of longer ones, which tell a story."""
+    return None if words.unknown or len(words.marks) > _FEW_WORDS else subjects_spoken_of(words)
+
+
+def _changes(wishes: Iterable[Wish]) -> list[Change]:
+    return [wish.change for wish in wishes]
+
+
+def _with_parts(words: WordReading) -> tuple[Claim, ...]:
+    """What is refused by naming a part: a dress with sleeves is not sleeveless."""
+    told = {i.claim.name for i in words.implications if i.said}
+    named = any(
+        mark.entries and mark.entries[0].part == "sleeves" and not mark.denied and mark.role != "theirs"
+        for mark in words.marks
+        if mark.entries and mark.entries[0].category == "parts"
+    )
+    return (_BARE_ARMS,) if named and "sleeves" not in told and "shoulders" not in told else ()
+
+
+def _within_names(network: Sequence[Wish], words: WordReading) -> list[Wish]:
+    """What the network reads, no surer of what the name of a draft implies than the lexicon is.
+
+    So the draft stays as it is named. Where all words are known, what no detail is about is no more than
+    likely: that a tee has no sleeves, since so many captions of round necklines go on like this. What
+    garments of the kind cannot have, as the bodice of "tailored trousers", is left out.
+    """
+    implied = [i for i in words.implications if not i.said]
+    drafted = [i for i in implied if any(e.drafts and not e.is_mere_kind for e in i.mark.entries)]
+    most = {i.claim: SURENESS[i.certainty] for i in drafted}
+    told = {i.claim.name for i in words.implications} if most and not words.unknown else None
+    kind = next((i.claim for i in implied if i.claim.name == "kind" and i.certainty == "certain"), None)
+    spoken = None if words.unknown else subjects_spoken_of(words)
+    named = [i.claim for i in implied]
+    found = []
+    for wish in network:
+        claim = wish.change.claim if isinstance(wish.change, Gain) else None
+        if claim is not None and kind is not None and kind.value in _LOWER_KINDS:
+            if not fits_kind(claim.name, str(kind.value)):
+                continue
+        bound = 1.0 if claim is None else most.get(claim, 1.0)
+        if claim is not None and spoken is not None and isinstance(claim.value, str):
+            agreed = claim in named or (
+                claim.name in SCALES
+                and any(one.name == claim.name and not exclude(one, claim) for one in named)
+            )
+            if claim.name not in spoken and not agreed:
+                if drafted:  # whose own shape is likelier
+                    continue
+                bound = SURENESS["likely"]
+        if claim is not None and told is not None and claim.name not in told and isinstance(claim.value, str):
+            bound = SURENESS["likely"]
+        found.append(replace(wish, certainty=min(wish.certainty, bound)))
+    return found
+
+
+_BESIDE = re.compile(r"\b(?:something|anything|outfit|with|over|under\w*|like|match\w*|for)\b", re.IGNORECASE)
+_SLITS = re.compile(r"slit|split|vent|\bcuts?\b|slash|open|gap|pleat|walk", re.IGNORECASE)
+_FEW_WORDS, _NO_STORY = 5, 9
+_NAMES_THINGS = ("garments", "accessories", "generic")
+_WHOLE_KINDS = frozenset({"dress", "jumpsuit", "playsuit"})
+"""Kinds with skirts or legs: who speaks of these at length still asks for the whole."""
+_LOWER_KINDS = frozenset({"skirt", "trousers", "shorts"})
+_BARE_ARMS = Claim("sleeves", "none")
+_TOPICS = {
+    "leg_width_cm": "legs",
+    "sleeve_width_cm": "sleeve_shape",
+    "neck_depth_cm": "neck_depth",
+    "skirt_length_cm": "skirt_hem",
+    "inseam_cm": "leg_hem",
+}
+"""What measures speak of in figures."""
+
+
+def _without_guesses(text: str, found: Iterable[Wish], words: WordReading) -> tuple[Wish, ...]:
+    """Without what only a network reads and no word of the text can mean.
+
+    Turned-up ends are no bands, a bow at the back is no slit there, and of the hips of tops nothing
+    is said unless a word names them.
+    """
+    lacking = {lack.what for lack in words.lacks}
+    implied = {i.claim for i in words.implications}
+    kinds = {i.claim.value for i in words.implications if i.claim.name == "kind"}
+    kept = []
+    for wish in found:
+        claim = wish.change.claim if isinstance(wish.change, Gain) else None
+        if claim is not None and claim not in implied:
+            if claim.name in ("leg_cuffs", "leg_cuff_cm") and "turn_ups" in lacking:
+                continue
+            if claim.name == "hips" and kinds == {"top"}:
+                continue
+            if claim.name == "slit" and "lacing" in lacking and not _SLITS.search(text):  # a laced front
+                continue
+            if claim.name == "slit" and wish.certainty < SURE and not (words.unknown or _SLITS.search(text)):
+                continue
+        kept.append(wish)
+    return tuple(kept)
+
+
+def _is_outdone(wish: Wish, said: Sequence[Claim], never: Sequence[Claim]) -> bool:
+    """Whether a wish is about what is stated in figures, or is refused, or says otherwise."""
+    if not isinstance(wish.change, Gain):
+        return False
+    claim = wish.change.claim
+    if claim in never or any(exclude(claim, other) for other in said):
+        return True
+    topics = {_TOPICS.get(other.name) for other in said}
+    return claim.name in topics and wish.certainty < SURENESS["certain"]
+
+
+def _is_measured(wish: Wish, measures: Sequence[SpokenMeasure]) -> bool:
+    """Whether a number that the network reads is said of something else, or of the same thing."""
+    claim = wish.change.claim if isinstance(wish.change, Gain) else None
+    if claim is None or isinstance(claim.value, str):
+        return False
+    stated = {m.claim.name for m in measures if m.claim is not None}
+    return claim.name in stated or any(same_number(measure, claim.value) for measure in measures)

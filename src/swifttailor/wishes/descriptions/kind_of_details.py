@@ -1,0 +1,115 @@
+"""What details tell of the kind of a garment that no word names, and bands called after another place."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from swifttailor.describing.claims import Claim
+from swifttailor.describing.differences import Gain
+from swifttailor.wishes.reader import Wish
+from swifttailor.wishes.text.accounting import subjects_spoken_of
+from swifttailor.wording.claim_kinds import fits_kind, implied_kind
+from swifttailor.wording.lexicon import WordReading, exclude
+
+_NAMES = ("garment", "like", "second")
+_SKIRT = frozenset({"skirt"})
+_LOWER = frozenset({"skirt", "trousers", "shorts"})
+_UPPER = frozenset("sleeves sleeve_shape cuffs neckline neck_depth shoulders collar hood bodice".split())
+_WAISTBAND, _HEM_BAND = Claim("waistband", "waist"), Claim("waistband", "hem")
+
+
+def skirts_of_dresses(text: str, words: WordReading) -> str:
+    """A text that names a skirt and speaks of sleeves or a neckline, as one about a dress with such a skirt.
+
+    Args:
+        text: As it is read.
+        words: By the lexicon.
+    """
+    named = [mark for mark in words.marks if mark.role == "garment"]
+    if not named or any(mark.role in ("like", "second", "theirs") or mark.denied for mark in words.marks):
+        return text
+    skirts = all(entry.kinds == _SKIRT for mark in named for entry in mark.entries)
+    said = [i.claim for i in words.implications if i.said and i.certainty == "certain"]
+    upper = any(claim.name in _UPPER and claim.value != "none" for claim in said)
+    return f"dress, {text}" if skirts and upper else text
+
+
+def without_wrong_kind(
+    found: Sequence[Wish], measured: Sequence[Claim], words: WordReading
+) -> tuple[Wish, ...]:
+    """Without a kind that a network guesses and that cannot have what is said: no top has gores.
+
+    Args:
+        found: What was understood of a text.
+        measured: What its numbers say.
+        words: By the lexicon; where one of them names a garment, nothing is left out.
+    """
+    if any(mark.role in _NAMES for mark in words.marks):
+        return tuple(found)
+    details = [*measured, *[i.claim for i in words.implications if i.said and i.certainty == "certain"]]
+    guessed = {w.change.claim.value for w in found if isinstance(w.change, Gain) and _is_kind(w.change)}
+    wrong = {k for k in guessed if any(not fits_kind(claim.name, str(k)) for claim in details)}
+    if not wrong:
+        return tuple(found)
+    meant = next(iter(implied_kind(details)), None)
+    return tuple([w for w in found if not isinstance(w.change, Gain) or _fits(w.change, wrong, meant)])
+
+
+def within_the_name(found: Sequence[Wish], words: WordReading) -> tuple[Wish, ...]:
+    """Without what a network reads against the name of the garment, where no word speaks of it.
+
+    A coverall has sleeves unless somebody says otherwise, whose it ever was. Words that nobody knows may be
+    about sleeves, too, unless they are names.
+    """
+    if any(not word[:1].isupper() for word in words.unknown):
+        return tuple(found)
+    meant = [i.claim for i in words.implications if not i.said and i.certainty != "likely"]
+    implied, spoken = {i.claim for i in words.implications}, subjects_spoken_of(words)
+    return tuple(
+        [
+            wish
+            for wish in found
+            if not isinstance(wish.change, Gain)
+            or wish.change.claim in implied
+            or wish.change.claim.name in spoken
+            or not any(exclude(wish.change.claim, other) for other in meant)
+        ]
+    )
+
+
+def fitting_the_name(found: Sequence[Wish], words: WordReading) -> tuple[Wish, ...]:
+    """Without what trousers, shorts and skirts cannot have, where such a name alone says what is asked for.
+
+    A detail never changes the kind: running shorts with slits at the sides are no skirt, and tailored
+    trousers no jumpsuit.
+    """
+    named = [
+        entry.kinds
+        for mark in words.marks
+        if mark.role == "garment" and not mark.denied
+        for entry in mark.entries
+    ]
+    kinds = frozenset().union(*named)
+    heard = {w.change.claim.value for w in found if isinstance(w.change, Gain) and _is_kind(w.change)}
+    if len(kinds) != 1 or not kinds <= _LOWER or not heard <= kinds or not all(named):
+        return tuple(found)
+    (kind,) = kinds
+    return tuple([w for w in found if not isinstance(w.change, Gain) or fits_kind(w.change.claim.name, kind)])
+
+
+def with_one_band(found: Sequence[Wish], words: WordReading) -> tuple[Wish, ...]:
+    """Without a band at the waist where that of a jacket's hem is called a waistband."""
+    said = {i.claim for i in words.implications if i.said and i.claim.name == "waistband"}
+    if _HEM_BAND not in said or _WAISTBAND in said:
+        return tuple(found)
+    return tuple([wish for wish in found if wish.change != Gain(_WAISTBAND)])
+
+
+def _is_kind(gain: Gain) -> bool:
+    return gain.claim.name == "kind"
+
+
+def _fits(gain: Gain, wrong: set[str | float], meant: str | None) -> bool:
+    if _is_kind(gain):
+        return gain.claim.value not in wrong
+    return meant is None or fits_kind(gain.claim.name, meant)

@@ -1,0 +1,1 @@
+"""The drafts that a text begins from, changed to what else it asks for."""

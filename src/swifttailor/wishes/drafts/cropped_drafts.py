@@ -1,0 +1,60 @@
+"""Named drafts of tops that are to end above the hips."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+from swifttailor.describing.claims import Claim
+from swifttailor.pattern.drafts.draft_names import ARMHOLE, NamedDraft
+from swifttailor.wishes.drafts.close_drafts import SHAPED_TO_CM
+
+_LOOSE = frozenset({"easy", "loose", "oversized"})
+_CROPPED: Mapping[str, tuple[str, Mapping[str, float]]] = {
+    **dict.fromkeys(
+        ("denim-jacket", "bomber-jacket", "sweatshirt", "hoodie"),
+        ("chest_ease", {"cropped": 1.0, "waist": 4.0}),
+    ),
+    **dict.fromkeys(
+        ("t-shirt", "shirt", "turtleneck", "tank-top"), ("chest_ease", {"cropped": -5.0, "waist": 0.0})
+    ),
+}
+"""Where the hems of drafts are that are asked to end above the hips, cm below the waist, and their room."""
+_WITH_WINGS_CM: Mapping[str, float] = {"t-shirt": 8.0, "sweatshirt": 12.0}
+"""Hems of tops whose sleeves are cut in one lie at least so far below the waist, cm: above shorter ones such
+sleeves do not follow the arm."""
+_CROPPED_EASE_CM = 12.0
+"""Wider ones stand off where they end."""
+_BANDED = frozenset({"denim-jacket", "bomber-jacket", "sweatshirt", "hoodie"})
+_CROPPED_BANDED: Mapping[str, float] = {"chest_ease": 11.0, "hem_band_ease": 1.0}
+"""Room of what a band ends at the waist: bands that are higher or wider stand off like a shelf."""
+
+
+def cropped_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
+    """A top drafted short: one that is cut off there is as wide at the hem as it was at the chest.
+
+    Args:
+        draft: As it is named.
+        claims: What is asked for.
+    """
+    if draft.name == "fitted-top" and any(c.name == "fit" and c.value in _LOOSE for c in claims):
+        bare = not any(c.name == "sleeves" and c.value != "none" for c in claims)
+        draft = NamedDraft("tank-top" if bare else "t-shirt", ())
+        claims = [*claims, Claim("top_hem", "cropped")]
+    if draft.name not in _CROPPED:
+        return draft
+    room, lengths = _CROPPED[draft.name]
+    asked = [lengths[str(c.value)] for c in claims if c.name == "top_hem" and str(c.value) in lengths]
+    if not asked:
+        return draft
+    own = dict(draft.options)
+    if own.get("waist_shaping") and 0.0 <= asked[0] <= float(own.get("length", 99.0)) <= SHAPED_TO_CM:
+        return draft
+    options = {**own, "length": asked[0]}
+    if options.get(ARMHOLE) == "cut-in-one":
+        options["length"] = max(asked[0], _WITH_WINGS_CM.get(draft.name, 8.0))
+    elif draft.name in _BANDED and asked[0] == lengths["cropped"]:
+        options |= {k: min(float(options.get(k, most)), most) for k, most in _CROPPED_BANDED.items()}
+    elif asked[0] < 0:
+        options[room] = min(float(options.get(room, _CROPPED_EASE_CM)), _CROPPED_EASE_CM)
+    return replace(draft, options=tuple(options.items()))

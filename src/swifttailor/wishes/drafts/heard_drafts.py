@@ -1,0 +1,281 @@
+"""Drafts that a text begins from: those of the names and details in it, changed to what else it asks for."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from swifttailor.describing.claims import Claim
+from swifttailor.describing.differences import Gain
+from swifttailor.pattern.drafts.draft_names import NamedDraft
+from swifttailor.wishes.drafts.armholes_as_asked import armholes_as_asked
+from swifttailor.wishes.drafts.asked_hems import hem_as_asked
+from swifttailor.wishes.drafts.bubble_hems import bubble_as_asked
+from swifttailor.wishes.drafts.clinging_drafts import STRETCH, clinging_as_asked
+from swifttailor.wishes.drafts.drafts_as_asked import draft_as_asked
+from swifttailor.wishes.drafts.drafts_of_names import covers, draft_of_kind, draft_of_name
+from swifttailor.wishes.drafts.godets_as_asked import godets_as_asked
+from swifttailor.wishes.drafts.gored_drafts import gored_as_said
+from swifttailor.wishes.drafts.hearted_drafts import hearted_as_asked
+from swifttailor.wishes.drafts.legs_by_words import ELASTIC, legs_as_said
+from swifttailor.wishes.drafts.loosened_drafts import is_to_be_loose, loosened_as_asked
+from swifttailor.wishes.drafts.low_skirts import low_as_asked
+from swifttailor.wishes.drafts.opened_drafts import opened_as_asked
+from swifttailor.wishes.drafts.oversized_drafts import oversized_as_asked
+from swifttailor.wishes.drafts.pleated_dresses import pleats_as_asked
+from swifttailor.wishes.drafts.refused_looks import as_not_refused
+from swifttailor.wishes.drafts.sailor_collars import asks_for_sailor_collar, with_sailor_collar
+from swifttailor.wishes.drafts.straight_edges import straight_as_said
+from swifttailor.wishes.drafts.tiers_as_asked import tiers_as_asked
+from swifttailor.wishes.drafts.tops_to_the_legs import is_long_top, to_the_legs_as_said
+from swifttailor.wishes.text.tier_heights import tier_as_said
+from swifttailor.wishes.trims.button_counts import closed_as_counted
+from swifttailor.wording.lexicon import Entry
+
+if TYPE_CHECKING:
+    from swifttailor.wishes.heard import Heard
+
+MOST_OF_KINDS, MOST_OF_NAMES = 6, 7
+"""Up to so many things may be told of a garment that begins from a draft: where words name a mere kind, and
+where they say more."""
+_TOLD_AS_ONE = {"sleeve_shape": "sleeves", "cuffs": "sleeves", "straps": "sleeves", "neck_depth": "neckline"}
+"""What one word tells together: "bishop sleeves" are long, full and end in cuffs."""
+_NOT_TOLD = ("kind", "shoulders")
+"""What goes with other claims: what has no sleeves covers both shoulders or none."""
+_AT_SHOULDERS = ("shoulders", "straps", "sleeves", "neckline", "collar", "hood")
+_BARE, _STAND, _TURTLENECK = Claim("shoulders", "strapless"), Claim("collar", "stand"), "turtleneck"
+_BARE_BACK = Claim("back_depth", "open")
+_OF_DETAILS: Mapping[str, tuple[str, ...]] = {
+    "coat": ("flare", "lapels"),
+    "blazer": ("lapels",),
+    "joggers": ("hip_ease", "leg_ease", "crotch_drop"),
+}
+"""Options that a word about a detail tells of what another word names."""
+_NECKS = ("neckline", "collar", "hood", "straps")
+_CUT_AS = {"tunic": "top", "shorts": "trousers", "playsuit": "jumpsuit"}
+"""Kinds that are drafted as others."""
+_FLARED, _STRAIGHT = Claim("skirt", "flared"), Claim("skirt", "straight")
+_WHATEVER = NamedDraft("t-shirt", (("neck_widening", 0.7), ("chest_ease", 8.0), ("waist_shaping", 1.0)))
+_CLOSE = frozenset({Claim("fit", "close"), Claim("hips", "close")})
+_KNITTED, _CORDUROY = ("jersey", "rib-knit"), "twill"
+"""Fabrics that stretch, and what corduroy is made as, which has ribs and does not."""
+_STRAPLESS = ("bandeau", "bustier", "strapless-dress", "strapless-jumpsuit")
+_SHAWL = ("lapels", "shawl")
+_SHAWL_CARDIGAN = NamedDraft(
+    "blazer", (_SHAWL, ("chest_ease", 13.0), ("waist_shaping", 0.5), ("neck_depth", 28.0))
+)
+"""A cardigan with a shawl collar is cut as a jacket of that collar is."""
+_MAY_BE_COLLARED = (
+    *("drop-waist-dress", "jumpsuit", "shift-dress", "swing-dress", "fitted-dress"),
+    *("shirt", "polo-shirt", "shirt-dress"),
+)
+
+
+def drafts_of(heard: Heard) -> tuple[NamedDraft, ...]:
+    """Drafts that show what a text names, for the kind of garment that is asked for.
+
+    First those that show what nothing else can (halter necks), then those of names that say more than the
+    kind, then of details, then of mere kinds: trousers. Where nothing names a garment, and it
+    may be a top, a plain one.
+    """
+    entries = _entries(heard)
+    sure = _sure_claims(heard)
+    fitting = [armholes_as_asked(draft, heard.lacks) for draft in _begun(heard, entries, sure)]
+    fitting = [oversized_as_asked(draft, sure) for draft in fitting]
+    fitting = [hearted_as_asked(draft, heard.lacks, sure) for draft in fitting]
+    if _clings(heard) and not is_to_be_loose(sure):
+        named = _named_skirts(heard, sure)
+        fitting = [clinging_as_asked(draft, [*sure, *named]) for draft in fitting]
+    fitting = [loosened_as_asked(draft, sure) for draft in fitting]
+    long = is_long_top(heard)
+    fitting = [straight_as_said(to_the_legs_as_said(d, heard.text, long=long), heard.text) for d in fitting]
+    fitting = [low_as_asked(draft, sure) for draft in gored_as_said(fitting, heard.text)]
+    if any(claim.name == "straps" for claim in sure):
+        fitting = [draft for draft in fitting if draft.name not in _STRAPLESS] or fitting
+    if asks_for_sailor_collar(entries):
+        fitting = [with_sailor_collar(draft) for draft in fitting]
+    fitting = [legs_as_said(draft, heard.text, _elastic(heard), heard.never) for draft in fitting]
+    fitting = [tiers_as_asked(godets_as_asked(draft, sure), sure) for draft in fitting]
+    fitting = [bubble_as_asked(draft, heard.lacks, sure) for draft in fitting]
+    fitting = [pleats_as_asked(draft, heard.lacks, sure) for draft in fitting]
+    fitting = [tier_as_said(draft, heard.text) for draft in fitting]
+    closed = [closed_as_counted(draft, heard.text) for draft in fitting]
+    wanted = {lack.what for lack in heard.lacks if lack.said}
+    opened = [opened_as_asked(draft, sure, wanted) for draft in closed]
+    found = dict.fromkeys([hem_as_asked(draft, sure, wanted, _denied(heard)) for draft in opened])
+    return tuple(sorted(found, key=lambda draft: wanted.isdisjoint(draft.shows)))
+
+
+def _entries(heard: Heard) -> list[Entry]:
+    """What of the text may name a draft, best first: nothing of which more is told than can be drafted."""
+    entries = sorted(heard.meant, key=_names_first if heard.kind in ("shorts", "playsuit") else _says_less)
+    told = _told_claims(heard)
+    if len(told) < len(heard.sure) or not covers(heard.kind, told):  # known patterns have more
+        entries = [e for e in entries if _told_beside(heard, e) <= _most_told(e)]
+    beside = (*_worn_beside(heard), *_outdone(heard))
+    return [e for e in entries if e not in beside]
+
+
+def _told_claims(heard: Heard) -> list[Claim]:
+    return [w.change.claim for w in heard.sure if isinstance(w.change, Gain)]
+
+
+def _sure_claims(heard: Heard) -> list[Claim]:
+    """What is told, and what goes with it where nothing else is: bare shoulders, a neck that stands."""
+    sure = _told_claims(heard)
+    sure += [] if any(claim.name in _AT_SHOULDERS for claim in sure) else _likely_bare(heard)
+    sure += _standing_necks(heard) if not any(claim.name in _NECKS for claim in sure) else []
+    sure += [_STRAIGHT] if _FLARED in heard.never and not any(c.name == "skirt" for c in sure) else []
+    return sure
+
+
+def _begun(heard: Heard, entries: Sequence[Entry], sure: Sequence[Claim]) -> list[NamedDraft]:
+    """The drafts that entries name, as they are asked for; else such as have all that is told."""
+    kind = _CUT_AS.get(heard.kind or "", heard.kind)
+    if is_long_top(heard):
+        kind, sure = "top", [claim for claim in sure if claim.name != "skirt_hem"]
+    named = [draft for entry in entries for draft in entry.drafts if draft.kind == kind]
+    named = _with_one_collar([as_not_refused(draft, heard.never) for draft in _in_detail(named, entries)])
+    fitting = [draft_as_asked(armholes_as_asked(draft, heard.lacks), sure) for draft in named]
+    if not named and heard.kind in (None, "top") and _tells_no_garment(heard):
+        fitting = [draft_as_asked(_WHATEVER, sure)]
+    elif not any(fitting):  # a blouse without a collar has nothing of the shirt that blouses begin from
+        own = ("tunic", "top") if is_long_top(heard) else (heard.kind,)
+        kinds = [(e, k) for e in entries for k in own if k in e.kinds and (named or not e.drafts)]
+        fitting = [draft_of_name(entry, kind or "", sure) for entry, kind in kinds]
+        if _says_details(heard) and not any(heard.kind in entry.kinds for entry in heard.meant):
+            fitting = [draft_of_kind(heard.kind, sure)]
+    return [as_not_refused(draft, heard.never) for draft in fitting if draft is not None]
+
+
+def _told_beside(heard: Heard, entry: Entry) -> int:
+    """How many things are told of the garment that the name of it does not mean anyway."""
+    told = [w.change for w in heard.sure if isinstance(w.change, Gain)]
+    meant = {_TOLD_AS_ONE.get(each.claim.name, each.claim.name) for each in entry.implied}
+    names = {change.claim.name for change in told if change.claim.name not in _NOT_TOLD}
+    names = {_TOLD_AS_ONE.get(name, name) for name in names}
+    return len(names - meant) + len(heard.sure) - len(told)
+
+
+def _standing_necks(heard: Heard) -> list[Claim]:
+    """A collar that stands, where a word about the neck begins from such a draft: "a high neck"."""
+    outdone = _outdone(heard)
+    stands = [e for e in heard.meant if e.category == "styles" and e.drafts and e not in outdone]
+    return [_STAND] if any(draft.name == _TURTLENECK for e in stands for draft in e.drafts) else []
+
+
+def _likely_bare(heard: Heard) -> list[Claim]:
+    """That nothing covers the shoulders, where that is likely: a "fit and flare wedding dress"."""
+    likely = [w.change.claim for w in heard.likely if isinstance(w.change, Gain)]
+    if _BARE_BACK in _told_claims(heard):  # the edge of a strapless one runs straight across the back
+        return []
+    return [claim for claim in likely if claim == _BARE]
+
+
+def _clings(heard: Heard) -> bool:
+    """Whether it is to be close, and of cloth that stretches: a skin-tight one, a close one of jersey."""
+    changes = [w.change for w in (*heard.sure, *heard.likely) if isinstance(w.change, Gain)]
+    close = any(change.claim in _CLOSE for change in changes)
+    stretches = any(STRETCH in entry.cannot for entry in heard.meant)
+    ribbed = heard.ribs is not None and heard.cloth != _CORDUROY
+    return close and (stretches or ribbed or heard.cloth in _KNITTED)
+
+
+def _named_skirts(heard: Heard, sure: Sequence[Claim]) -> list[Claim]:
+    """The skirt that the name of a dress means, where no more is told of it: that of a tennis dress."""
+    if heard.words is None or any(claim.name in ("skirt", "hips") for claim in sure):
+        return []
+    return [i.claim for i in heard.words.implications if i.claim.name == "skirt" and not i.said]
+
+
+def _elastic(heard: Heard) -> frozenset[str]:
+    """That there is elastic, where words about details say so and mean the waist: not those of ankles."""
+    ankles = any(claim.name == "leg_cuffs" for e in heard.meant for claim in e.claims("certain"))
+    styles = [e for e in heard.meant if e.category == "styles" and e.drafts and not ankles]
+    return frozenset([key for e in styles for key in e.cannot if key == ELASTIC])
+
+
+def _denied(heard: Heard) -> frozenset[str]:
+    """What cannot be made of panels alone, and is refused."""
+    marks = () if heard.words is None else heard.words.marks
+    return frozenset([key for mark in marks if mark.denied for e in mark.entries for key in e.cannot])
+
+
+def _tells_no_garment(heard: Heard) -> bool:
+    """Whether its words tell something, but not of which garment: a red one, puff sleeves."""
+    known = [entry for entry in heard.meant if entry.category != "function"]
+    told = heard.words is not None and bool(heard.words.colors or heard.words.cloths or known)
+    return told and not any(entry.category == "garments" for entry in heard.meant)
+
+
+def _says_details(heard: Heard) -> bool:
+    """Whether its words themselves tell something of how the garment is cut."""
+    return heard.words is not None and any(
+        i.said and i.claim.name != "kind" for i in heard.words.implications
+    )
+
+
+def _worn_beside(heard: Heard) -> list[Entry]:
+    """Garments that another one is only worn with: the apron of a dirndl with an apron."""
+    marks = () if heard.words is None else heard.words.marks
+    if not any(mark.role == "garment" for mark in marks):
+        return []
+    return [entry for mark in marks if mark.role == "like" for entry in mark.entries if entry.kinds]
+
+
+def _outdone(heard: Heard) -> list[Entry]:
+    """Of words that contradict each other the entries of which nothing is left: a high neck that plunges."""
+    words = heard.words
+    if words is None:
+        return []
+    opposed = [mark for pair in words.contradictions for mark in (pair.first, pair.second)]
+    kept = {i.mark.start for i in words.implications}
+    return [entry for mark in opposed if mark.start not in kept for entry in mark.entries]
+
+
+def _with_one_collar(named: list[NamedDraft]) -> list[NamedDraft]:
+    """Shirts and dresses with the collar that another draft of the text has: a Peter Pan collar."""
+    if any(draft.name == "cardigan" for draft in named) and any(_SHAWL in draft.options for draft in named):
+        named = [_SHAWL_CARDIGAN if draft.name == "cardigan" else draft for draft in named]
+    collars = [option for draft in named for option in draft.options if option[0] == "collar"]
+    return [
+        replace(draft, options=(*draft.options, collars[0]))
+        if collars and draft.name in _MAY_BE_COLLARED and not any(n == "collar" for n, _ in draft.options)
+        else draft
+        for draft in named
+    ]
+
+
+def _in_detail(named: Sequence[NamedDraft], entries: Sequence[Entry]) -> list[NamedDraft]:
+    """Coats and harem trousers as a detail has them: with a swing back, or not too droopy."""
+    details = {d.name: dict(d.options) for e in entries if e.category == "styles" for d in e.drafts}
+    found = []
+    for draft in named:
+        told = details.get(draft.name, {})
+        more = {name: told[name] for name in _OF_DETAILS.get(draft.name, ()) if name in told}
+        found.append(replace(draft, options=tuple({**dict(draft.options), **more}.items())))
+    return found
+
+
+def _names_first(entry: Entry) -> bool:
+    """Of what is shorter than the drafts of details are."""
+    return entry.category != "garments"
+
+
+def _most_told(entry: Entry) -> int:
+    return MOST_OF_KINDS if _says_less(entry) == 2 else MOST_OF_NAMES
+
+
+_WHOLE_LEGS = ("joggers", "leggings")
+"""Drafts that are more than a shape of legs."""
+
+
+def _says_less(entry: Entry) -> int:
+    """Smaller for what says more of the whole garment; most names of trousers say little of legs."""
+    if entry.category != "garments":
+        return 1
+    definite = any(claim.name != "kind" for claim in entry.claims("certain"))
+    with_legs = bool(entry.kinds & {"trousers", "jumpsuit", "playsuit"})
+    definite = definite or any(draft.name in _WHOLE_LEGS for draft in entry.drafts)
+    return 2 if entry.is_mere_kind or (with_legs and not definite) else 0

@@ -1,0 +1,1 @@
+"""How an instruction wants a garment to be changed."""

@@ -1,0 +1,1 @@
+"""How a garment is to look by a text: colours, prints, ribs and flecks."""

@@ -1,0 +1,1 @@
+"""Texts that ask for two garments, and those that speak of others than the one asked for."""

@@ -1,0 +1,293 @@
+"""Wishes for two garments that are worn together, each put into a text of its own.
+
+"A white blouse and a black skirt" is a blouse and a skirt; a navy trouser suit is a navy blazer and navy
+trousers. A dress with a wide skirt is one garment, as are a cardigan and a top, of which one is made.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from itertools import pairwise
+
+from swifttailor.wishes.outfits.first_piece import first_piece
+from swifttailor.wishes.outfits.outfit_chunks import DETERMINERS, LOOKS, Chunk, bare, chunks_of, is_of_both
+from swifttailor.wishes.outfits.outfit_halves import HALVES, Half, half_named, half_told
+from swifttailor.wishes.outfits.outfit_pieces import (
+    Pieces,
+    are_asked_for,
+    joined_up,
+    lead,
+    looks_within,
+    names_of,
+    pieces_of,
+)
+from swifttailor.wishes.outfits.side_remarks import without_side_remarks
+from swifttailor.wishes.text.text_as_read import text_as_read
+from swifttailor.wishes.wearers.wearer_words import hear_wearer
+from swifttailor.wording.lexicon import WordMark, WordReading, read_words
+
+_MATCHING = re.compile(
+    r"(?<!\w)(?:(?:all |both )?(?:in|of|from|out of) (?:the|a) same "
+    r"(?:fabric|cloth|material|print|pattern|colou?r)s?(?: as (?:the|it)(?: \w+)?)?|(?:made )?to match"
+    r"|(?:an? )?(?:matching |co-?ordinated )?set of(?= an? )|(?:matching )?set of|co-?ordinat(?:ing|ed)"
+    r"|matching|passend\w*|assortie?s?|a juego|aus demselben stoff)(?!\w)",
+    re.IGNORECASE,
+)
+"""What says that one is in the colour and the cloth of the other."""
+_PLUS = re.compile(r"(?<=[^\W\d_])(?:\s*[&+]\s*|\s+w/\s*|\s+['’]?n['’]?\s+)(?=[^\W\d_])")
+_SUIT_OF = re.compile(r"(?<!\w)(suits?|sets?)\s*(?::|=|[-–—](?=\s))\s*", re.IGNORECASE)
+"""What would be read with the word behind it: the jacket of "suit: jacket and trousers" is no suit jacket."""
+_THREE = re.compile(r"(?:three|3)[- ]piece", re.IGNORECASE)
+_BOTH = re.compile(r"(?<!\w)(?:both|beides?|les deux|ambos|ambas)(?!\w)", re.IGNORECASE)
+_ADDED = re.compile(r"\s*(?:,|/|(?:and|plus|und|sowie|et|y|e|ed|en)(?!\w))", re.IGNORECASE)
+_IN = re.compile(r"(?<!\w)(?:in|of|made|from|aus|en|de|con|em)(?!\w)", re.IGNORECASE)
+_DENIM = re.compile(r"jean|denim", re.IGNORECASE)
+_OF = re.compile(r"\s+(?:of|consisting of|made up of|aus|de)(?!\w)", re.IGNORECASE)
+_SAID_BEFORE = ("fits", "occasions", "styles")
+_NAMES = ("garments", *LOOKS)
+_JOINED = ("", "and", "&", "und", "et", "y")
+_SINGULAR = frozenset("a an one ein eine einen un une una uno een um uma".split())
+_OTHER: dict[Half, Half] = {"upper": "lower", "lower": "upper"}
+_SAID_OF_ALL = frozenset({"occasions", "polite", "function", "sizes", "generic"})
+
+
+@dataclass(frozen=True, slots=True)
+class TwoGarments:
+    """What is said of each."""
+
+    upper: str
+    lower: str
+    besides: tuple[str, ...] = ()
+    """Names of further garments, of which nothing is said in either: of a half one is made."""
+
+    def of(self, half: Half) -> str:
+        """What is said of the garment on a half of the body."""
+        return self.upper if half == "upper" else self.lower
+
+
+@lru_cache(maxsize=64)
+def two_garments(text: str) -> TwoGarments | None:
+    """The garments for the upper and the lower body that a description asks for; None where it asks for one.
+
+    What it says of who wears them is in neither text (`hear_wearer`).
+
+    Args:
+        text: In any language that is read.
+    """
+    text = first_piece(text)
+    text = _PLUS.sub(lambda found: " with " if "w" in found[0] else " and ", text)
+    text = _SUIT_OF.sub(r"\1, ", text)
+    text = joined_up(text, read_words(text))
+    words = read_words(text)
+    if pieces_of(text, words) is None:
+        if not words.unknown:
+            return None
+        text, words = text_as_read(text)  # a name may be misspelt
+        if pieces_of(text, words) is None:
+            return None
+    text = without_side_remarks(hear_wearer(text).rest)
+    return _parted(text, read_words(text))
+
+
+def _parted(text: str, words: WordReading) -> TwoGarments | None:
+    pieces = pieces_of(text, words)
+    if pieces is None:
+        return None
+    chunks = chunks_of(text, words, lambda marks: _name_both(marks, pieces))
+    if not are_asked_for(text, pieces, chunks):
+        return None
+    wish = _Outfit(text, words, pieces, chunks)
+    said = [bare(wish.said_of(half), words.language) for half in HALVES]
+    besides = [mark.word for mark in pieces.besides]
+    if not besides and any(_THREE.match(mark.word) for mark in pieces.outfits):
+        besides = ["waistcoat"]
+    found = TwoGarments(*said, tuple(besides))
+    return found if all(_is_one(found.of(half), half) for half in HALVES) else None
+
+
+def _name_both(marks: Sequence[WordMark], pieces: Pieces) -> bool:
+    halves = {half for mark, half in pieces.named if mark in marks}
+    halves |= {half for half, piece in pieces.two.items() if piece.mark in marks and not pieces.is_one_name}
+    return len(halves) > 1
+
+
+def _is_one(text: str, half: Half) -> bool:
+    """Whether a text names garments of that half alone."""
+    words = read_words(text)
+    names = names_of(words)
+    if names:
+        return {name for _, name in names} == {half}
+    named = [mark for mark in words.marks if mark.role == "garment"]
+    return names is not None and any(half_named(mark) == half for mark in named)
+
+
+class _Outfit:
+    """A text, its two garments, and which of its chunks are about which."""
+
+    def __init__(self, text: str, words: WordReading, pieces: Pieces, chunks: Sequence[Chunk]) -> None:
+        self._text, self._words, self._pieces, self._chunks = text, words, pieces, chunks
+        elsewhere = [look for look in words.looks if look.part not in ("", "all")]
+        self._of_parts = {id(mark) for look in elsewhere for mark in look.marks}
+        self._garments = [mark for mark, _ in pieces.named]
+        self._garments += [*pieces.outfits, *[one.mark for one in pieces.two.values()]]
+        self._matching = _MATCHING.search(text) is not None
+        self._owners = self._find_owners()
+
+    def said_of(self, half: Half) -> str:
+        """What the text says of one of the garments."""
+        edits, shown, before = self._edits(half), [], ""
+        for chunk, owner in zip(self._chunks, self._owners, strict=True):
+            if owner not in (half, "both"):
+                continue
+            words = self._edited(chunk, edits)
+            if before == "both" and chunk.has(self._pieces.two[half].mark):  # "for work: blouse and skirt"
+                words = f" {bare(words, self._words.language)}"
+            shown.append(words)
+            before = owner
+        return "".join(shown)
+
+    def _find_owners(self) -> list[str]:
+        """For each chunk a half, ``both``, ``none``, or ``beside`` where it only names a further garment."""
+        owners, now = [], "both"
+        for chunk in self._chunks:
+            if (own := self._named_in(chunk)) is None:
+                told = {self._told(mark) for mark in chunk.marks if not mark.denied} - {None}
+                if is_of_both(self._text, chunk) or len(told) > 1:
+                    own = "both"
+                elif told:
+                    own = str(told.pop())
+                elif all(_category(mark) in _SAID_OF_ALL for mark in chunk.marks):
+                    own = "both"
+                else:
+                    own = now
+            now = own if own not in ("none", "beside") else now
+            owners.append(own)
+        return owners
+
+    def _named_in(self, chunk: Chunk) -> str | None:
+        """Whose a chunk is by the names in it; None where it has none."""
+        if self._pieces.is_one_name and chunk.has(self._pieces.two["upper"].mark):
+            return "both"
+        halves: set[str] = {half for half, piece in self._pieces.two.items() if chunk.has(piece.mark)}
+        if not halves and any(chunk.has(mark) for mark in self._pieces.besides):
+            details = [m for m in chunk.marks if m not in self._pieces.besides]
+            if all(_category(m) in LOOKS or m.word.lower() in DETERMINERS for m in details):
+                return "beside"
+        halves |= {half for mark, half in self._pieces.named if chunk.has(mark)}
+        if len(halves) == 1:
+            return halves.pop()
+        if not halves and any(chunk.has(mark) for mark in self._pieces.outfits):
+            return "none"
+        return "both" if halves else None
+
+    def _edits(self, half: Half) -> list[tuple[int, int, str]]:
+        """What is put in the place of what, by where it stands in the text."""
+        piece = self._pieces.two[half]
+        put = " ".join([*self._of_the_set(half), *self._taken_over(half)])
+        put = f"{put} " if put else ""
+        name = piece.mark.word if piece.name is None else self._usual(half, piece.name)
+        edits = [(piece.mark.start, piece.mark.end, put + name)]
+        if piece.name is not None and name.endswith("s"):
+            before = lead(piece.mark, next(chunk for chunk in self._chunks if chunk.has(piece.mark)))
+            edits += [(m.start, m.end, "") for m in before if m.word.lower() in _SINGULAR]
+        for mark in self._pieces.outfits:
+            if mark not in [one.mark for one in self._pieces.two.values()]:
+                of = _OF.match(self._text, mark.end)
+                edits.append((mark.start, mark.end if of is None else of.end(), ""))
+        edits += [(found.start(), found.end(), "") for found in _MATCHING.finditer(self._text)]
+        edits += [(found.start(), found.end(), "") for found in _BOTH.finditer(self._text)]
+        for chunk, owner in zip(self._chunks, self._owners, strict=True):
+            if owner == "both":
+                told = [m for m in chunk.marks if self._told(m) == _OTHER[half]]
+                edits += [(mark.start, mark.end, "") for mark in told]
+        return sorted(edits, key=lambda edit: (edit[0], -edit[1]))
+
+    def _edited(self, chunk: Chunk, edits: Sequence[tuple[int, int, str]]) -> str:
+        shown, end = [], chunk.start
+        for start, stop, put in edits:
+            if end <= start < chunk.end:
+                shown += [self._text[end:start], put]
+                end = stop
+        return "".join([*shown, self._text[end : chunk.end]])
+
+    def _of_the_set(self, half: Half) -> list[str]:
+        """What stands before a name of several, where both garments are named beside it."""
+        found = []
+        for chunk, owner in zip(self._chunks, self._owners, strict=True):
+            if owner == "none":
+                of = _SAID_BEFORE if self._looks(half) else (*LOOKS, *_SAID_BEFORE)
+                marks = [m for m in chunk.marks if _category(m) in of and self._told(m) != _OTHER[half]]
+                found += [mark.word for mark in marks if not self._is_same(mark)]
+        return found
+
+    def _usual(self, half: Half, name: str) -> str:
+        """What a name of both stands for, without what is usual where the text has details of its own."""
+        if not any(self._told(mark) == half and mark not in self._garments for mark in self._words.marks):
+            return name
+        marks = read_words(name).marks
+        kept = [m.word for m in marks if half_told(m, "en") is None or _category(m) in _NAMES]
+        return " ".join(kept)
+
+    def _taken_over(self, half: Half) -> list[str]:
+        """The colours and cloths of the other garment, where they are said of both."""
+        if self._pieces.is_one_name or self._looks(half) or not (looks := self._looks(_OTHER[half])):
+            return []
+        mine, other = self._pieces.two[half].mark, self._pieces.two[_OTHER[half]].mark
+        behind = max(mine, other, key=lambda mark: mark.start)
+        is_set = any(piece.name is not None for piece in self._pieces.two.values())
+        if not (self._matching or is_set):
+            if self._is_determined(behind) or _DENIM.search(mine.word) or not self._is_added(behind):
+                return []
+            if behind is mine:
+                plural = mine.word.lower().endswith("s") and self._is_determined(other)
+                looks = [] if plural else [(start, end) for start, end in looks if end <= other.end]
+            else:
+                looks = [
+                    (start, end)
+                    for start, end in looks
+                    if start > other.end and _IN.search(self._text[other.end : start])
+                ]
+        return [self._joined(looks)] if looks else []
+
+    def _looks(self, half: Half) -> list[tuple[int, int]]:
+        """Where colours, prints and cloths of a garment stand."""
+        mark = self._pieces.two[half].mark
+        chunk = next(one for one in self._chunks if one.has(mark))
+        found = [
+            (m.start, m.end)
+            for m in chunk.marks
+            if _category(m) in LOOKS and not m.denied and id(m) not in self._of_parts and not self._is_same(m)
+        ]
+        return sorted([*found, *looks_within(mark)])
+
+    def _told(self, mark: WordMark) -> Half | None:
+        return half_told(mark, self._words.language)
+
+    def _is_same(self, mark: WordMark) -> bool:
+        """Whether it says that one is like the other: the fabric of "in the same fabric"."""
+        return any(found.start() <= mark.start < found.end() for found in _MATCHING.finditer(self._text))
+
+    def _joined(self, looks: Sequence[tuple[int, int]]) -> str:
+        """Looks with what stands between those that an "and" joins."""
+        said = [self._text[looks[0][0] : looks[0][1]]]
+        for (_, end), (start, stop) in pairwise(looks):
+            between = self._text[end:start]
+            said.append(between if between.strip(" ,-").lower() in _JOINED else " ")
+            said.append(self._text[start:stop])
+        return "".join(said)
+
+    def _is_added(self, mark: WordMark) -> bool:
+        """Whether "and" joins it to the other: "with" makes it another thing of its own."""
+        chunk = next(one for one in self._chunks if one.has(mark))
+        return _ADDED.match(self._text, chunk.start) is not None
+
+    def _is_determined(self, mark: WordMark) -> bool:
+        chunk = next(one for one in self._chunks if one.has(mark))
+        return any(not DETERMINERS.isdisjoint(m.word.lower().split()) for m in lead(mark, chunk))
+
+
+def _category(mark: WordMark) -> str | None:
+    return mark.entries[0].category if mark.entries else None

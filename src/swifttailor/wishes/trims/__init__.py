@@ -1,0 +1,1 @@
+"""What a text wants sewn on: pockets, buttons, belts, and where."""

@@ -1,0 +1,277 @@
+"""Which trims are meant by what a text asks for and no panel can be cut for: pockets, buttons, a belt."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from swifttailor.describing.claims import Claim
+from swifttailor.describing.differences import Gain
+from swifttailor.pattern.trims.names import LIKE_EACH_OTHER, TRIMS
+from swifttailor.wishes.trims.trims_by_place import is_elastic_behind, trims_by_place
+
+if TYPE_CHECKING:
+    from swifttailor.wishes.heard import Heard
+    from swifttailor.wording import WordReading
+
+_POCKETS = tuple(name for name in TRIMS if "pocket" in name)
+_BUTTONS = tuple(name for name in LIKE_EACH_OTHER[0] if "zip" not in name)
+_ZIPS = ("zip", "half zip", "back zip", "side zip", "fly")
+_BELTS = ("tie belt", "buckle belt")
+_KNEE_RIPS = ("knee rips", "left knee rip", "right knee rip")
+_FRILLS = ("neck frill", "sleeve frills", "hem frill")
+TRIMS_OF: Mapping[str, tuple[str, ...]] = {
+    "pockets": _POCKETS,
+    "buttons": (*_BUTTONS, "back buttons", "fly"),
+    "zip": _ZIPS,
+    "belt": _BELTS,
+    "belt_accessory": _BELTS,
+    "drawstring": ("drawstring", "neck cord"),
+    "elastic": ("elastic waist", "back elastic"),
+    "turn_ups": ("turn-ups",),
+    "rolled_sleeves": ("sleeve turn-ups",),
+    "french_cuffs": ("sleeve turn-ups",),
+    "padding": ("quilting",),
+    "ties": ("tie belt", "neck bow", "waist bow", "shoulder bows", "back bow", "back ties"),
+    "braid": ("edging",),
+    "lace": ("lace trim",),
+    "side_stripes": ("side stripes", "sleeve stripes"),
+    "frills": _FRILLS,
+    "lacing": ("lacing",),
+    "boning": ("boning",),
+    "rib_bands": ("neck rib", "armhole ribs", "hem rib"),
+    "fringe": ("hem fringe",),
+    "apron": ("apron",),
+    "creases": ("creases",),
+    "stirrups": ("stirrups",),
+    "pleats": ("front pleats", "pleat lines"),
+    "open_back": ("back ties", "back buttons", "back lacing"),
+    "back_lacing": ("back lacing",),
+    "asymmetric_closing": ("diagonal closing",),
+    "knee_patches": ("knee patches",),
+    "keyhole": ("keyhole",),
+    "keyhole_back": ("back keyhole",),
+    "epaulettes": ("epaulettes",),
+    "raw_hem": ("rips", *_KNEE_RIPS, "frayed hem"),
+}
+"""By key of what cannot be made of panels, which trims can stand for it."""
+_JACKETS = frozenset(
+    {
+        "blazer",
+        "coat",
+        "hooded-coat",
+        "waistcoat",
+        "cardigan",
+        "bomber-jacket",
+        "denim-jacket",
+        "turtleneck",
+        "robe",
+    }
+)
+"""Drafts that are buttoned without a band."""
+_WRAPS = frozenset({"wrap-dress", "wrap-top", "robe"})
+_HOODED = frozenset({"hoodie", "hooded-coat"})
+_RIBS, _RIBBED = "rib_bands", frozenset({"t-shirt", "tank-top", "sweatshirt"})
+_KNITS = frozenset({"jersey", "rib-knit", "sweatshirt", "fleece"})
+_SAID_ALONE = frozenset({"lace", "braid", "apron", "boning", "pleats"})
+"""What is put on only where the text itself asks for it, or a row of the tables has its trim."""
+_LOWER = ("trousers", "shorts")
+_FOR_JACKETS, _TAILORED = frozenset({"cardigan", "turtleneck"}), "blazer"
+"""Drafts that jackets without a collar and with one that stands are cut from, and the one with lapels."""
+_DENIM = "denim"
+_FLOUNCED = Claim("cuffs", "flounce")
+"""Frills of the sleeves, where no others are named."""
+_ANY_BIG = "patch pockets"
+"""What "big pockets" are where nothing tells their place."""
+_DETAILS = "styles"
+"""The category of entries that name trims themselves."""
+
+
+@dataclass(frozen=True)
+class TrimWish:
+    """A trim, or several that go together, and what they stand for."""
+
+    what: str
+    """A key of `cannot_texts`."""
+    said: bool
+    """Whether the text asks for it; otherwise the name of a garment means it."""
+    choices: tuple[tuple[str, ...], ...]
+    """Names of `TRIMS`; the first of which all find a place is taken."""
+    named: bool = False
+    """Whether the text says which: cargo pockets, and not pockets."""
+
+
+def trims_wanted(heard: Heard, draft: str = "", kind: str = "") -> tuple[TrimWish, ...]:
+    """What may be put on a garment, in the order of the text.
+
+    Args:
+        heard: What the text asks for.
+        draft: Name of the draft that the garment is cut from; empty where it is cut from none.
+        kind: Of the garment, where the text does not name it.
+    """
+    named = _named(heard)
+    kind = heard.kind or kind
+    found = []
+    for lack in heard.lacks:
+        can = TRIMS_OF.get(lack.what, ())
+        own = tuple([name for name in _of_garment(heard) if name in can])
+        if not lack.said and lack.what in _SAID_ALONE and not own and not _is_worn_beside(heard, lack.what):
+            can = ()
+        said = tuple([name for name in named if name in can])
+        placed = trims_by_place(heard.text, lack.what, kind=kind, draft=draft) if lack.said else ()
+        if placed:
+            others = [name for name in said if name != _ANY_BIG]
+            said = tuple(dict.fromkeys([*[names[0] for names in placed], *others]))
+        choices = _usual(lack.what, kind, heard.cloth, draft) if can else ()
+        if lack.what == "elastic" and is_elastic_behind(heard.text):
+            choices = (("back elastic",), *choices)
+        if choices and lack.what == "frills" and _FLOUNCED in _claims(heard):
+            choices = (("sleeve frills",),)
+        if said or own:
+            alone = sorted(said or own, key=lambda name: name not in own)
+            instead = [(name,) for names in placed for name in names[1:]]
+            choices = (said or own, *[(name,) for name in alone], *instead, *choices)
+        if choices:
+            found.append(TrimWish(lack.what, lack.said, choices, bool(said)))
+    if draft in _RIBBED and not any(wish.what == _RIBS for wish in found) and _is_knitted(heard, draft):
+        found.append(TrimWish(_RIBS, False, (("neck rib", "armhole ribs"), ("neck rib",))))
+    if draft in _FOR_JACKETS and not any(wish.what == "buttons" for wish in found) and _is_a_jacket(heard):
+        pocketed = () if any(wish.what == "pockets" for wish in found) else (("buttons", "welt pockets"),)
+        found.append(TrimWish("buttons", False, (*pocketed, ("buttons",))))
+    return tuple(found)
+
+
+def _is_a_jacket(heard: Heard) -> bool:
+    """Whether what has no lapels is called a jacket, which is closed in front where nothing else is told."""
+    marks = () if heard.words is None else heard.words.marks
+    named = [entry for mark in marks if not mark.denied for entry in mark.entries]
+    lacks = {lack.what for lack in heard.lacks if lack.said}
+    jackets = any(draft.name == _TAILORED for entry in named for draft in entry.drafts)
+    return jackets and lacks.isdisjoint({"zip", "open_front", "ties", "belt"})
+
+
+def _claims(heard: Heard) -> frozenset[Claim]:
+    """What is told of the garment, or likely meant."""
+    return frozenset([w.change.claim for w in (*heard.sure, *heard.likely) if isinstance(w.change, Gain)])
+
+
+def _is_knitted(heard: Heard, draft: str) -> bool:
+    """Whether a top is of a knit, whose edges are bound with ribbed bands, and has no frill or bow there."""
+    dressed = any(
+        name in _named(heard) for group in LIKE_EACH_OTHER if "neck frill" in group for name in group
+    )
+    return not dressed and (draft == "sweatshirt" or heard.cloth in _KNITS)
+
+
+def _is_worn_beside(heard: Heard, what: str) -> bool:
+    """Whether the text itself names a garment of that name: a skirt with an apron."""
+    marks = () if heard.words is None else heard.words.marks
+    named = [entry for mark in marks if not mark.denied for entry in mark.entries]
+    return any(draft.name == what for entry in named for draft in entry.drafts)
+
+
+def refused_trims(heard: Heard) -> frozenset[str]:
+    """Trims that a text does not want: "without pockets"."""
+    if heard.words is None:
+        return frozenset()
+    found: set[str] = set()
+    for mark in heard.words.marks:
+        for entry in mark.entries if mark.denied else ():
+            if entry.category == _DETAILS or mark.word.lower() in TRIMS:  # not those of jeans: "no jeans"
+                found |= set(entry.trims) or {name for key in entry.cannot for name in TRIMS_OF.get(key, ())}
+    return frozenset(found)
+
+
+def speaks_of_trims_alone(words: WordReading) -> bool:
+    """Whether a text speaks of nothing else that garments have: "remove the kangaroo pocket".
+
+    A network that has never heard of them guesses what else may be meant.
+    """
+    told = [
+        entry
+        for mark in words.marks
+        for entry in mark.entries
+        if entry.category not in ("function", "negations")
+    ]
+    of_trims = all(e.category == _DETAILS and any(what in TRIMS_OF for what in e.cannot) for e in told)
+    return bool(told) and of_trims and all(mark.entries for mark in words.marks)
+
+
+def _named(heard: Heard) -> tuple[str, ...]:
+    """Trims that words about details name: cargo pockets, double-breasted."""
+    marks = () if heard.words is None else heard.words.marks
+    entries = [entry for mark in marks if not mark.denied for entry in mark.entries]
+    found = tuple(dict.fromkeys([name for e in entries if e.category == _DETAILS for name in e.trims]))
+    return _told_where(found)
+
+
+def _told_where(named: tuple[str, ...]) -> tuple[str, ...]:
+    """The same trims; of rips those alone of which the text says where they are, where it does."""
+    at_knees = tuple([name for name in _KNEE_RIPS if name in named])
+    if not at_knees:
+        return named
+    both = len(at_knees) > 1
+    others = [name for name in named if name not in ("rips", *_KNEE_RIPS)]
+    return (_KNEE_RIPS[0] if both else at_knees[0], *others)
+
+
+def _of_garment(heard: Heard) -> tuple[str, ...]:
+    """Trims that names of garments mean: those of cargo trousers."""
+    marks = () if heard.words is None else heard.words.marks
+    entries = [entry for mark in marks if not mark.denied for entry in mark.entries]
+    return tuple(dict.fromkeys([name for e in entries if e.category != _DETAILS for name in e.trims]))
+
+
+def _usual(what: str, kind: str, cloth: str | None, draft: str) -> tuple[tuple[str, ...], ...]:
+    """What it is on garments of the kind, best first."""
+    if what == "pockets":
+        return _usual_pockets(kind, cloth, draft)
+    if what == "buttons":
+        if kind in _LOWER:
+            return (("fly",),)
+        return (("buttons",) if draft in _JACKETS else ("button placket",), ("buttons",))
+    if what == "zip":
+        if kind in _LOWER:
+            return (("fly",), ("side zip",))
+        in_front = not kind or kind == "top" or draft in _JACKETS
+        return (("zip",), ("side zip",)) if in_front else (("side zip",), ("back zip",))
+    if what in ("belt", "belt_accessory"):
+        return (("buckle belt",),) if kind in _LOWER else (("tie belt",), ("buckle belt",))
+    if what == "ties":
+        return (("tie belt",),) if draft in _WRAPS else ()
+    if what == "apron" and draft == what:
+        return ()
+    if what == "frills":
+        return (
+            (("hem frill",),)
+            if kind in ("skirt", "dress")
+            else (("neck frill", "sleeve frills"), ("neck frill",), ("hem frill",))
+        )
+    if what == "drawstring":
+        return (("neck cord",),) if draft in _HOODED else (("drawstring",), ("neck cord",))
+    if what == "pleats":
+        return (("front pleats",),) if kind in _LOWER else ()
+    if what in ("padding", "asymmetric_closing"):
+        return ()
+    return tuple([(name,) for name in TRIMS_OF.get(what, ())])
+
+
+def _usual_pockets(kind: str, cloth: str | None, draft: str) -> tuple[tuple[str, ...], ...]:
+    if draft == "dungarees":
+        return (("bib pocket", "slant pockets"), ("slant pockets",))
+    if draft == "hoodie":
+        return (("kangaroo pocket",), ("patch pockets",))
+    if draft in ("shirt", "polo-shirt", "t-shirt"):
+        return (("chest pocket",),)
+    if draft == "denim-jacket":
+        return (("chest pockets",),)
+    if kind in _LOWER:
+        return (("slant pockets", "back pockets"), ("slant pockets",))
+    if kind in ("jumpsuit", "playsuit"):
+        return (("slant pockets",), ("chest pockets",))
+    if kind in ("skirt", "dress"):
+        return (("patch pockets",),) if cloth == _DENIM else (("slant pockets",), ("side pockets",))
+    if draft in ("blazer", "coat", "waistcoat"):
+        return (("welt pockets",), ("patch pockets",))
+    return (("patch pockets",), ("welt pockets",), ("chest pocket",))
