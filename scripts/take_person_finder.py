@@ -5,8 +5,8 @@
 ``python scripts/take_person_finder.py mediapipe/modules``
 
 Writes src/swifttailor/picture_reader/person_finder.zip (--out): both graphs in ONNX, with the same weights.
-Of the second network only the mask and the certainty that somebody is there are kept, not the places of
-joints. Needs the extra ``train``.
+Of the second network the mask, the certainty that somebody is there and the places of joints in the picture
+are kept. Needs the extra ``train``.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ from swifttailor.picture_reader.person_finder import CUT, CUTTER, DETECT, DETECT
 
 FILES = {
     DETECTOR: ("pose_detection/pose_detection.tflite", DETECT, ("Identity", "Identity_1")),
-    CUTTER: ("pose_landmark/pose_landmark_full.tflite", CUT, ("Identity_2", "Identity_1")),
+    CUTTER: ("pose_landmark/pose_landmark_full.tflite", CUT, ("Identity_2", "Identity_1", "Identity")),
 }
 """Of each graph its file, and which of its outputs become those of the graph."""
 OPSET = 18

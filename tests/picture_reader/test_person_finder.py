@@ -54,6 +54,13 @@ def test_somebody_is_found_and_cut_out(finder, photograph):
     assert side < 1.2 * (rows.max() - rows.min())
 
 
+def test_joints_of_legs_are_where_legs_are(finder, photograph):
+    joints, high = finder.find(photograph).leg_joints, len(photograph)
+    assert joints.hips == pytest.approx(0.49 * high, abs=0.04 * high)
+    assert joints.knees == pytest.approx(0.69 * high, abs=0.04 * high)
+    assert joints.ankles == pytest.approx(0.88 * high, abs=0.05 * high)
+
+
 def test_somebody_small_is_found_too(finder, photograph):
     high, across = 260, 123
     small = np.asarray(Image.fromarray(photograph).resize((across, high)))

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from swifttailor.arrays import Pixels
 from swifttailor.networks.model_file import ModelKind, open_model
 from swifttailor.picture_reader.cut_square import cut_square
+from swifttailor.picture_reader.leg_joints import LegJoints
 from swifttailor.picture_reader.person_halves import View, chest_of, legs_of
 from swifttailor.picture_reader.said import share_of
 from swifttailor.picture_reader.squares import halves, mask_of
@@ -25,16 +26,18 @@ from swifttailor.picture_reader.view import Square
 SHIPPED = Path(__file__).with_name("person_finder.zip")
 DETECTOR, CUTTER = "detector", "cutter"
 DETECT = ("pictures",), ("boxes", "scores")
-CUT = ("pictures",), ("mask", "present")
+CUT = ("pictures",), ("mask", "present", "joints")
 KIND = ModelKind(
     "person finder",
-    "swifttailor person finder 1",
+    "swifttailor person finder 2",
     16 << 20,
     ({DETECTOR: DETECT, CUTTER: CUT},),
     archive=True,
 )
 _DETECTED, _CUT = 224, 256
 """Pixels along each side of what either network is shown."""
+_JOINTS, _SAID = 39, 5
+"""How many places on somebody's body are told, and how many numbers of each."""
 _STRIDES = (8, 2), (16, 2), (32, 6)
 """Of the detector: pixels from place to place, and boxes at each place."""
 _HIPS, _REACH = 2, 3
@@ -69,6 +72,8 @@ class Person:
     """x and y of the middle of their hips, pixels; where they are beyond the picture, outside of it."""
     reach: float
     """From there to the farthest point of them, pixels."""
+    leg_joints: LegJoints | None = None
+    """None where they are not seen."""
 
     def cut_out(self, pixels: Pixels) -> View:
         """The picture (h, w, 3) with nothing but white around them, and a square that they fill."""
@@ -114,6 +119,7 @@ class PersonFinder:
                     [1, len(_places()), 1],
                 ),
                 "its mask": (model.shape_made(CUTTER, "mask"), [1, 1, _CUT, _CUT]),
+                "its joints": (model.shape_made(CUTTER, "joints"), [1, _JOINTS * _SAID]),
             }
         )
         return PersonFinder(model.sessions[DETECTOR], model.sessions[CUTTER])
@@ -141,7 +147,8 @@ class PersonFinder:
         if certain < LEAST_SURE or mask is None:
             return None
         left, top, side = square
-        return Person(certain, mask, (left + side / 2, top + side / 2), side / 2 / _AROUND)
+        joints = LegJoints.of(answers[2].reshape(_JOINTS, _SAID), square, _CUT)
+        return Person(certain, mask, (left + side / 2, top + side / 2), side / 2 / _AROUND, joints)
 
     def _detected(self, pixels: Pixels, square: Square) -> tuple[float, Square] | None:
         """How sure the surest person in a square is, and a square around all of that person."""

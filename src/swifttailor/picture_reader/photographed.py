@@ -11,6 +11,7 @@ from swifttailor.arrays import Pixels
 from swifttailor.picture_reader.person_finder import Person, PersonFinder
 from swifttailor.picture_reader.plain_pictures import mostly_one_colour_around
 from swifttailor.picture_reader.reading import PictureReading
+from swifttailor.picture_reader.seen_hems import with_hems_near_knees
 from swifttailor.picture_reader.view import Square
 
 MOST_DESIGNED = 0.255
@@ -69,7 +70,8 @@ def as_photograph(
     if not of_all.parts and not says_no_design(shown):
         return None
     figures = "several" if of_all.figures == "several" else "one"
-    return replace(_within(shown, person), figures=figures, is_photograph=True)
+    worn = with_hems_near_knees(_within(shown, person), person.leg_joints)
+    return replace(worn, figures=figures, is_photograph=True)
 
 
 def _within(read: PictureReading, person: Person) -> PictureReading:

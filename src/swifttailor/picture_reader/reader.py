@@ -19,6 +19,7 @@ from swifttailor.picture_reader.close_ups import CLOSE_UPS
 from swifttailor.picture_reader.cut_square import cut_square
 from swifttailor.picture_reader.figures import FIGURES
 from swifttailor.picture_reader.hoods import with_hoods_of_near
+from swifttailor.picture_reader.kinds_worn import kinds_as_worn
 from swifttailor.picture_reader.labels import (
     GUESS,
     PARTS,
@@ -90,10 +91,8 @@ LEAST_LAID = 0.8
 """What is less surely a garment that nobody wears is read like others: to take a person for one is worse."""
 LEAST_FOUND = 0.8
 """How sure somebody has to be dressed in a part of a picture, where nobody is seen in all of it."""
-_SCALES = (1.0, 0.87, 1.15)
-"""Sides of the frames of the nearer looks, in that around the garment."""
-_SHOP_SCALES = (1.0, 0.92, 1.1)
-"""The same of photographs by shops, in all of the picture."""
+_SCALES, _SHOP_SCALES = (1.0, 0.87, 1.15), (1.0, 0.92, 1.1)
+"""Sides of the frames of the nearer looks, in that around the garment; of photographs, in all of them."""
 _OF_A_FRAME = ("camera_view", "masks", "worn_places", "panel_kinds", "seams")
 _CM = 100.0
 
@@ -246,25 +245,29 @@ class PictureReader:
         read = self._reading(first, whole, seen, (height, width), nearer.parameters)
         return replace(read, is_plain=nearer is not self, is_photograph=is_photograph)
 
-    def at_frames(self, *views: View, chest: View | None = None, legs: Sequence[View] = ()) -> PictureReading:
+    def at_frames(
+        self, *views: View, chest: View | None = None, legs: Sequence[View] | None = None
+    ) -> PictureReading:
         """What is seen at three frames of each of some views of one picture, which somebody fills.
 
         Args:
             views: Pixels of all of it, and a square of it. The first tells where things are.
             chest: A view of the chest, for the neckline.
-            legs: Views from the waist down; the first tells where things are.
+            legs: Views from the waist down, the first as above; None of shops, which show as many skirts.
         """
         pixels, whole = views[0]
         answers = self._at_frames(views)
         if chest is not None:
             answers = with_neck(answers, self._at_frames((chest,)))
-        seen = with_legs((whole, answers), (legs[0][1], self._at_frames(legs)) if legs else None)
+        seen = dict.fromkeys(parts_present(answers), (whole, answers))
+        if legs is not None:
+            nearer = (legs[0][1], kinds_as_worn(self._at_frames(legs))) if legs else None
+            seen = with_legs((whole, kinds_as_worn(answers)), nearer)
         return self._reading(answers, whole, seen, pixels.shape[:2], self.parameters)
 
     def _at_frames(self, views: Sequence[View]) -> dict[str, Any]:
-        looks = [
-            self._look(pixels, scaled(square, k), None) for pixels, square in views for k in _SHOP_SCALES
-        ]
+        frames = [(pixels, scaled(square, k)) for pixels, square in views for k in _SHOP_SCALES]
+        looks = [self._look(*frame, None) for frame in frames]
         return mean_of(looks) | {name: looks[0][name] for name in _OF_A_FRAME}
 
     def _searched(

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from types import MappingProxyType
 from typing import get_args
 
 from swifttailor.describing.claims.judgement import (
@@ -31,17 +32,20 @@ WEDGE_CM = 7.0
 Zone = Callable[[LandmarkFacts], tuple[float, float]]
 """Heights of the hem from and to, cm, on a body."""
 
-_SKIRT_ZONES: dict[str, Zone] = {
-    "micro": lambda b: (b.crotch - 10.0, math.inf),
-    "mini": lambda b: (b.knee + 10.0, math.inf),
-    "above the knee": lambda b: (b.knee + 2.5, b.knee + 13.5),
-    "knee": lambda b: (b.knee - 5.5, b.knee + 5.5),
-    "below the knee": lambda b: (b.knee - 14.0, b.knee - 2.5),
-    "midi": lambda b: (0.42 * b.knee, b.knee - 7.0),
-    "maxi": lambda b: (-math.inf, 0.45 * b.knee),
-    "ankle": lambda b: (0.06 * b.knee, 0.42 * b.knee),
-    "floor": lambda b: (-math.inf, 0.14 * b.knee),
-}
+SKIRT_ZONES: Mapping[str, Zone] = MappingProxyType(
+    {
+        "micro": lambda b: (b.crotch - 10.0, math.inf),
+        "mini": lambda b: (b.knee + 10.0, math.inf),
+        "above the knee": lambda b: (b.knee + 2.5, b.knee + 13.5),
+        "knee": lambda b: (b.knee - 5.5, b.knee + 5.5),
+        "below the knee": lambda b: (b.knee - 14.0, b.knee - 2.5),
+        "midi": lambda b: (0.42 * b.knee, b.knee - 7.0),
+        "maxi": lambda b: (-math.inf, 0.45 * b.knee),
+        "ankle": lambda b: (0.06 * b.knee, 0.42 * b.knee),
+        "floor": lambda b: (-math.inf, 0.14 * b.knee),
+    }
+)
+"""Of words for where a dress or skirt ends."""
 _TOP_ZONES: dict[str, Zone] = {
     "bra": lambda b: (b.waist + 9.0, math.inf),
     "cropped": lambda b: (b.waist - 2.5, math.inf),
@@ -61,7 +65,7 @@ _LEG_ZONES: dict[str, Zone] = {
 }
 
 
-def _ends_in(zones: dict[str, Zone], applies: Predicate) -> dict[str, Predicate]:
+def _ends_in(zones: Mapping[str, Zone], applies: Predicate) -> dict[str, Predicate]:
     def test(zone: Zone) -> Predicate:
         low, high = (lambda f: zone(f.body)[0]), (lambda f: zone(f.body)[1])
         return all_of(applies, between("hem.level", low, high, HEM_TOLERANCE_CM))
@@ -90,7 +94,7 @@ def _wedge(facts: GarmentFacts, by: Judgement) -> bool:
 HEM_CLAIMS: dict[str, tuple[str, dict[str, Predicate]]] = {
     "skirt_hem": (
         "where the hem of a dress or skirt ends",
-        _ends_in(_SKIRT_ZONES, is_one_of("kind", "dress", "skirt")),
+        _ends_in(SKIRT_ZONES, is_one_of("kind", "dress", "skirt")),
     ),
     "top_hem": ("where a top ends", _ends_in(_TOP_ZONES, is_one_of("kind", "top"))),
     "leg_hem": ("where the legs end", _ends_in(_LEG_ZONES, there("trousers"))),

@@ -18,6 +18,7 @@ from swifttailor.describing.measuring.torso import measure_band, measure_collar,
 from swifttailor.describing.measuring.wear import wear
 from swifttailor.errors import PatternError
 from swifttailor.pattern import Pattern
+from swifttailor.pattern.drafts.figure import Figure
 
 DRESS_BELOW_CROTCH_CM = 5.0
 """An upper garment whose hem hangs lower than this below the crotch is a dress."""
@@ -52,7 +53,7 @@ def measure_anatomy(anatomy: Anatomy) -> GarmentFacts:
     return GarmentFacts(
         kind=_kind(anatomy, hem),
         panels=len(anatomy.pattern.panels),
-        body=_landmarks(anatomy),
+        body=landmarks_of(anatomy.figure),
         top_level=worn.top,
         length=worn.top - hem.level if hem else 0.0,
         hem=hem,
@@ -79,8 +80,8 @@ def _kind(anatomy: Anatomy, hem: HemFacts | None) -> Kind:
     return "skirt" if skirt else "other"
 
 
-def _landmarks(anatomy: Anatomy) -> LandmarkFacts:
-    figure = anatomy.figure
+def landmarks_of(figure: Figure) -> LandmarkFacts:
+    """What lengths on a body are compared with."""
     return LandmarkFacts(
         neck=figure.neck_y,
         bust=figure.bust_y,

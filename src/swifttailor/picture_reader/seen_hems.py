@@ -1,0 +1,90 @@
+"""Hems that end near the knees of somebody in a photograph, by where their joints are.
+
+Networks see most hems better than joints tell, but they take coats to the knee for short ones, or for tops.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.special import ndtr
+
+from swifttailor.describing.claims import Claim
+from swifttailor.describing.claims.hems import SKIRT_ZONES
+from swifttailor.picture_reader.leg_joints import LegJoints, default_landmarks
+from swifttailor.picture_reader.reading import PartReading, PictureReading, Statement
+
+_SHORT = frozenset({"micro", "mini"})
+_TOPS = frozenset({"top", "tunic"})
+_OFF_CM = 5.0
+"""How far levels that are told by joints and mask are off (standard deviation)."""
+_ABOVE_KNEE_CM = 14.0
+"""So far above the knee a hem is near it; no top ends as low."""
+_LOWEST_CM = 15.0
+_LEAST_WIDE, _USUAL = 0.4, 90.0
+"""A garment goes down to where it is that wide, in the width that a tenth of its rows exceeds: below are
+pieces of legs."""
+_AT_EDGE = 4
+"""Rows from the edge of the picture: what ends there is cut off."""
+_SURE, _LEAST = 0.75, 0.03
+"""How sure it is that what ends at the knees is no top; what is less sure is not told."""
+
+
+def with_hems_near_knees(read: PictureReading, joints: LegJoints | None) -> PictureReading:
+    """What is read of somebody, with the length of coats, dresses and skirts that are taken for short ones.
+
+    Args:
+        read: Whose masks show what is worn.
+        joints: Of who wears it; None where they are not seen.
+    """
+    if joints is None:
+        return read
+    is_pair = len(read.parts) == 2
+    parts = tuple(_with_hem(part, joints, is_pair=is_pair) for part in read.parts)
+    return replace(read, parts=parts)
+
+
+def _with_hem(part: PartReading, joints: LegJoints, *, is_pair: bool) -> PartReading:
+    said = {one.claim.name: str(one.claim.value) for one in reversed(part.statements)}  # the surest is last
+    row = lowest_row(part.mask > 0.5)
+    if row is None:
+        return part
+    level = joints.level(row)
+    above = level - default_landmarks().knee
+    if level < _LOWEST_CM or above > _ABOVE_KNEE_CM:
+        return part
+    found = list(part.statements)
+    if is_pair and part.part == "upper" and said.get("kind") in _TOPS and above > 0:
+        found = [one for one in found if one.claim.name != "kind"]
+        found.append(Statement(Claim("kind", "dress"), _SURE))
+    if said.get("skirt_hem") in _SHORT:
+        found = [one for one in found if one.claim.name != "skirt_hem"]
+        found += _hems_at(level)
+    return replace(part, statements=tuple(sorted(found, key=lambda one: -one.certainty)))
+
+
+def lowest_row(mask: NDArray[np.bool_]) -> int | None:
+    """The row in which a garment ends; None where it is cut off by the picture's edge, or not there.
+
+    Args:
+        mask: (h, w) where it is.
+    """
+    wide = mask.sum(axis=1)
+    if not wide.any():
+        return None
+    usual = float(np.percentile(wide[wide > 0], _USUAL))
+    row = int(np.flatnonzero(wide > _LEAST_WIDE * usual)[-1])
+    return None if row >= len(mask) - _AT_EDGE else row
+
+
+def _hems_at(level: float) -> list[Statement]:
+    """How sure each word for a hem is of a level that is told so roughly."""
+    found = []
+    for word, zone in SKIRT_ZONES.items():
+        low, high = zone(default_landmarks())
+        sure = float(ndtr((high - level) / _OFF_CM) - ndtr((low - level) / _OFF_CM))
+        if sure >= _LEAST:
+            found.append(Statement(Claim("skirt_hem", word), sure))
+    return found
