@@ -36,6 +36,16 @@ def test_skirts_have_to_be_seen_better_than_trousers(skirt, trousers, likeliest)
     assert WORDS[int(upper.argmax())] == max(("skirt", skirt), ("trousers", trousers), key=lambda p: p[1])[0]
 
 
+def test_the_odds_may_go_half_of_the_way():
+    shares = answers(skirt=0.5, trousers=0.4)
+    logits = [kinds_as_worn(shares, how_far)["statements"][PARTS.index("lower")] for how_far in (0, 0.5, 1)]
+    skirt, trousers = (LABELS.index(("kind", word)) for word in ("skirt", "trousers"))
+    ratios = [np.log(share_of(one[skirt]) / share_of(one[trousers])) for one in logits]
+    assert ratios[0] == pytest.approx(np.log(0.5 / 0.4)) and ratios[1] == pytest.approx(
+        (ratios[0] + ratios[2]) / 2
+    )
+
+
 @given(st.lists(st.floats(0.01, 0.6), min_size=len(WORDS), max_size=len(WORDS)))
 def test_kinds_alone_change_by_their_odds_and_keep_their_sum(shares):
     given_ = answers(**dict(zip(WORDS, shares, strict=True)))

@@ -23,15 +23,18 @@ KINDS: Mapping[str, Mapping[str, tuple[float, float]]] = MappingProxyType(
 )
 """By part of the body: the share of garments there that are of a kind, of those that are drawn to learn from,
 and of those in photographs of people (benchmarks/photographs)."""
+BEFORE_PLAIN = 0.5
+"""How far the odds go before a plain ground, which may be a shop's: shops show skirts as often as trousers."""
 _MOST = 0.98
 """Nothing becomes surer than this by being more usual."""
 
 
-def kinds_as_worn(answers: Mapping[str, Any]) -> dict[str, Any]:
+def kinds_as_worn(answers: Mapping[str, Any], how_far: float = 1.0) -> dict[str, Any]:
     """What is read of somebody in a photograph, with the odds of kinds as they are worn there.
 
     Args:
         answers: Logits by the names of outputs; (parts, S) of `statements`.
+        how_far: The odds go from drawn ones (0) to those of photographs (1).
 
     Returns:
         The same with other logits of kinds; those of a part have the sum of shares that they had, unless one
@@ -46,7 +49,7 @@ def kinds_as_worn(answers: Mapping[str, Any]) -> dict[str, Any]:
         for k, index in enumerate(kinds):
             if labels[index][1] in KINDS[name]:
                 drawn, worn = KINDS[name][labels[index][1]]
-                after[k] *= worn / (1 - worn) * (1 - drawn) / drawn
+                after[k] *= (worn / (1 - worn) * (1 - drawn) / drawn) ** how_far
         surest = max(float(before.max()), _MOST) / after.max()
         after *= min(before.sum() / after.sum(), surest)
         statements[number, kinds] = np.log(after) - np.log1p(-after)

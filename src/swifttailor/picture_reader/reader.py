@@ -19,7 +19,7 @@ from swifttailor.picture_reader.close_ups import CLOSE_UPS
 from swifttailor.picture_reader.cut_square import cut_square
 from swifttailor.picture_reader.figures import FIGURES
 from swifttailor.picture_reader.hoods import with_hoods_of_near
-from swifttailor.picture_reader.kinds_worn import kinds_as_worn
+from swifttailor.picture_reader.kinds_worn import BEFORE_PLAIN, kinds_as_worn
 from swifttailor.picture_reader.labels import (
     GUESS,
     PARTS,
@@ -253,14 +253,15 @@ class PictureReader:
         Args:
             views: Pixels of all of it, and a square of it. The first tells where things are.
             chest: A view of the chest, for the neckline.
-            legs: Views from the waist down, the first as above; None of shops, which show as many skirts.
+            legs: Views from the waist down, the first as above; None before a plain ground.
         """
         pixels, whole = views[0]
         answers = self._at_frames(views)
         if chest is not None:
             answers = with_neck(answers, self._at_frames((chest,)))
-        seen = dict.fromkeys(parts_present(answers), (whole, answers))
-        if legs is not None:
+        if legs is None:
+            seen = with_legs((whole, kinds_as_worn(answers, BEFORE_PLAIN)), None)
+        else:
             nearer = (legs[0][1], kinds_as_worn(self._at_frames(legs))) if legs else None
             seen = with_legs((whole, kinds_as_worn(answers)), nearer)
         return self._reading(answers, whole, seen, pixels.shape[:2], self.parameters)
