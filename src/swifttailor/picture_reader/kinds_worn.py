@@ -24,7 +24,7 @@ KINDS: Mapping[str, Mapping[str, tuple[float, float]]] = MappingProxyType(
 """By part of the body: the share of garments there that are of a kind, of those that are drawn to learn from,
 and of those in photographs of people (benchmarks/photographs)."""
 BEFORE_PLAIN = 0.5
-"""How far the odds go before a plain ground, which may be a shop's: shops show skirts as often as trousers."""
+"""How far the odds go before a plain ground, which may be a shop's: shops show as many skirts as trousers."""
 _MOST = 0.98
 """Nothing becomes surer than this by being more usual."""
 
