@@ -106,7 +106,7 @@ studio:  ## build the studio's page from studio-ui/ (needs Node 20); the built f
 studio-check:  ## look for faults in the studio's page, and run its tests (needs Node 20)
 	cd studio-ui && npm ci --no-audit --no-fund && npm run check
 
-fuzz: $(READY)  ## feed damaged files to all readers: TARGETS (all), INPUTS (two minutes' worth), SEED (0)
+fuzz: $(READY)  ## feed damaged files to all readers: TARGETS (all), INPUTS (a minute's worth), SEED (0)
 	$(BIN)/python -m fuzzing $(TARGETS) $(if $(INPUTS),--inputs $(INPUTS)) --seed $(or $(SEED),0)
 
 bench: $(READY)  ## time drapes, stage by stage

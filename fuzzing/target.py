@@ -34,7 +34,7 @@ class Target:
     """Most processor time for one input."""
     megabytes: int = 512
     """Most memory that one input may add."""
-    in_ci: int = 200
+    in_ci: int = 100
     """How many fresh inputs `make fuzz` feeds by default."""
 
     @cached_property

@@ -77,4 +77,4 @@ def _load() -> Feed:
     return feed
 
 
-TARGETS = (Target("design", "design parameters, drafted", seeds, mutate, _load, 10.0, in_ci=400),)
+TARGETS = (Target("design", "design parameters, drafted", seeds, mutate, _load, 10.0, in_ci=200),)

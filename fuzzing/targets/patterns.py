@@ -171,8 +171,8 @@ def _command(*arguments: str) -> None:
 
 
 TARGETS = (
-    Target("pattern", "sewing patterns: the reader", seeds, mutate, _load_reader, in_ci=4000),
-    Target("check", "sewing patterns: swifttailor check", seeds, mutate, _load_check, 10, in_ci=600),
-    Target("repair", "sewing patterns: check --repair", seeds, mutate, _load_repair, 20, in_ci=400),
-    Target("sew", "sewing patterns: swifttailor sew", seeds, mutate, _load_sew, 30, 1500, in_ci=60),
+    Target("pattern", "sewing patterns: the reader", seeds, mutate, _load_reader, in_ci=2000),
+    Target("check", "sewing patterns: swifttailor check", seeds, mutate, _load_check, 10, in_ci=300),
+    Target("repair", "sewing patterns: check --repair", seeds, mutate, _load_repair, 20, in_ci=200),
+    Target("sew", "sewing patterns: swifttailor sew", seeds, mutate, _load_sew, 30, 1500, in_ci=30),
 )

@@ -75,5 +75,5 @@ def _load_feed() -> Feed:
 
 
 TARGETS = (
-    Target("picture", "PNG, JPEG, WebP, GIF, BMP, TIFF", seeds, mutate, _load_feed, 10.0, 1500, in_ci=2000),
+    Target("picture", "PNG, JPEG, WebP, GIF, BMP, TIFF", seeds, mutate, _load_feed, 10.0, 1500, in_ci=1000),
 )

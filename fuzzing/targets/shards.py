@@ -196,6 +196,6 @@ TARGETS = (
         1000,
         250,
     ),
-    Target("index", "index.json of data sets", index_seeds, mutate_index, _load_index, in_ci=2000),
-    Target("list", "patterns in lines of JSON", list_seeds, mutate_list, _load_lists, 5.0, in_ci=1000),
+    Target("index", "index.json of data sets", index_seeds, mutate_index, _load_index, in_ci=1000),
+    Target("list", "patterns in lines of JSON", list_seeds, mutate_list, _load_lists, 5.0, in_ci=500),
 )

@@ -72,4 +72,4 @@ def _load() -> Feed:
     return feed
 
 
-TARGETS = (Target("style3d", "Style3D's patterns, of GarmageNet", seeds, mutate, _load, 20, in_ci=400),)
+TARGETS = (Target("style3d", "Style3D's patterns, of GarmageNet", seeds, mutate, _load, 20, in_ci=200),)

@@ -28,6 +28,8 @@ from swifttailor.pattern.names import body_region
 from swifttailor.pattern.trims import TRIMS, Belt, Button, place_trims, trims_that_fit
 
 DRAFTS = ("shirt", "coat", "jeans", "joggers", "hoodie", "dungarees", "shirt-dress", "circle-skirt")
+DENSE = ("shirt", "jeans", "shirt-dress")
+"""Of which the cloth is sampled densely, which takes seconds; between them they have every piece."""
 BUTTONED = ("shirt", "coat", "shirt-dress", "circle-skirt")
 BELTED = ("coat", "jeans", "shirt-dress", "circle-skirt")
 APRON = "apron"
@@ -84,7 +86,7 @@ def test_meshes_are_sound(name):
         assert mesh.cloth_at is None or mesh.cloth_at.shape == (len(mesh.faces), 3, 2)
 
 
-@pytest.mark.parametrize("name", DRAFTS)
+@pytest.mark.parametrize("name", DENSE)
 def test_pieces_lie_on_the_cloth(name):
     garment = worn(name)
     pieces = [m for m in trim_meshes(garment) if "belt" not in m.trim and m.look != "button"]
