@@ -161,7 +161,7 @@ def trims_read(raw: Any) -> tuple[str, ...]:
         if not unknown:
             return tuple(dict.fromkeys(raw))
         raise PatternError(
-            f"properties.trims: there is no trim named {unknown[0][:60]!r}. Accepted are: {', '.join(TRIMS)}."
+            f"properties.trims: there is no trim named {unknown[0][:40]!r}. Accepted are: {', '.join(TRIMS)}."
         )
     raise PatternError(
         f"properties.trims: a list of names was expected, of {', '.join(TRIMS)}. Correct or remove it."
