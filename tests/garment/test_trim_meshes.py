@@ -36,6 +36,7 @@ APRON = "apron"
 FLAT = (
     "edging",
     "lace trim",
+    "neck lace",
     "neck rib",
     "armhole ribs",
     "hem rib",
@@ -46,7 +47,7 @@ FLAT = (
 """What lies on the cloth along its edges; frills, fringe and bows stand off."""
 STAND_OFF = (
     *("neck frill", "sleeve frills", "hem frill", "hem fringe", "neck bow", "waist bow", "shoulder bows"),
-    *("stirrups", "frayed hem", "back bow", "back ties"),
+    *("stirrups", "frayed hem", "back bow", "back ties", "front frills"),
 )
 ON_CLOTH, LIFTED = 0.1, (0.1, 0.8)
 """Of vertices where a piece is brought down to the cloth, and of the others, cm."""

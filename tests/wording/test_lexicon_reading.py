@@ -405,7 +405,7 @@ def test_a_colour_behind_a_pause_joins_no_name():
         ("a tunic, slit at both sides", {"slit=left", "slit=right"}),
         ("a y2k mini skirt", {"rise=low", "skirt_hem=mini"}),
         ("pj shorts", {"kind=shorts", "leg_hem=thigh"}),
-        ("a housecoat", {"collar=lapel", "waist_seam=natural"}),
+        ("a housecoat", {"collar=lapel", "skirt_hem=midi"}),
         ("capri shorts", {"leg_hem=calf", "legs=slim"}),
         ("a healer robe", {"hood=hood", "skirt_hem=floor", "sleeve_shape=wide"}),
         ("a dress, tight on top", {"fit=close", "waist_seam=natural"}),

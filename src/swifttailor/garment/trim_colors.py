@@ -41,6 +41,7 @@ _IN_ANOTHER: Mapping[str, tuple[str, str]] = {
     "apron": ("#f3efe6", "#e2dccf"),
     "edging": ("#f3efe6", "#33415c"),
     "lace trim": ("#f3efe6", "#c9bfae"),
+    "neck lace": ("#f3efe6", "#c9bfae"),
     "side stripes": ("#f3efe6", "#26324a"),
     "sleeve stripes": ("#f3efe6", "#26324a"),
 }

@@ -30,6 +30,9 @@ _HANGS = 0.7
 """How much of a strip's direction is down, of one that hangs."""
 _STANDS_OUT = 0.6
 """How much of that of a frill around the neck is away from the body."""
+_LACES = ("lace trim", "neck lace")
+_ARC, _SCALLOP, _LACE_ROWS = 2.6, 0.3, 9
+"""Of lace: width of the arcs of its border, how deep they are as a part of it, and its rows of meshes."""
 _THREADS_APART, _THREAD = 0.8, 0.18
 """Of fringe: distance of its threads and half their width, cm."""
 _SHORT_THREADS, _FINE = 4.0, 0.6
@@ -47,6 +50,10 @@ def frill_meshes(garment: Garment, frill: Frill) -> list[TrimMesh]:
     """
     found = []
     for line, away, normals in _runs(garment, frill):
+        if frill.trim in _LACES:
+            vertices, faces, lines = _lace(line + _FLAT_LIFT * normals, -away, normals, frill.depth)
+            found.append(TrimMesh(frill.trim, "cloth", vertices, faces, lines))
+            continue
         if frill.kind == "flat":
             vertices, faces, lines = _strip(
                 line + _FLAT_LIFT * normals, -away, normals, frill.depth, swing=0.0
@@ -210,6 +217,26 @@ def _strip(
     faces = np.concatenate([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]]).astype(np.int32)
     lines = np.concatenate([np.stack([row[:-1], row[1:]], axis=1) for row in (grid[0], grid[-1])])
     return rows.reshape(-1, 3), faces, lines.astype(np.int32)
+
+
+def _lace(line: Floats, ways: Floats, normals: Floats, depth: float) -> tuple[Floats, Ints, Ints]:
+    """A flat strip with a border of arcs, holes in rows, and lines around them; as `_strip` returns it."""
+    at = _travelled(line)
+    arcs = max(round(float(at[-1]) / _ARC), 1)
+    share = np.linspace(0.0, 1.0, _LACE_ROWS)[:, None]
+    reach = depth * (1.0 - _SCALLOP + _SCALLOP * np.abs(np.sin(np.pi * arcs * at / at[-1])))
+    rows = line + (share * reach)[..., None] * ways + _LIFT * normals
+    count = len(line)
+    grid = np.arange(_LACE_ROWS * count).reshape(_LACE_ROWS, count)
+    quads = np.stack([grid[:-1, :-1], grid[:-1, 1:], grid[1:, 1:], grid[1:, :-1]], axis=-1)
+    row, column = np.indices(quads.shape[:2])
+    holes = (row % 2 == 1) & ((column + row) % 4 == 0) & (row < _LACE_ROWS - 2)
+    kept = quads[~holes]
+    faces = np.concatenate([kept[:, [0, 1, 2]], kept[:, [0, 2, 3]]]).astype(np.int32)
+    edges = [np.stack([one[:-1], one[1:]], axis=1) for one in (grid[0], grid[-1])]
+    around = quads[holes]
+    edges += [around[:, [k, (k + 1) % 4]] for k in range(4)]
+    return rows.reshape(-1, 3), faces, np.concatenate(edges).astype(np.int32)
 
 
 def _threads(line: Floats, ways: Floats, normals: Floats, depth: float) -> tuple[Floats, Ints, Ints]:

@@ -88,6 +88,25 @@ _OTHERS: Mapping[str, tuple[str, str]] = {
     ),
     "keyhole": _KEYHOLE,
     "back keyhole": _KEYHOLE,
+    "arm slits": (
+        "Slits for the arms",
+        "Cut two welts twice as wide as the marked pieces, with allowances. Fold them lengthwise, sew them "
+        "to the inner sides of the marked lines, cut these open and hem their other sides.",
+    ),
+    "front frills": (
+        "Frills down the front",
+        "Cut two strips of 6 cm, twice as long as the front seam, hem their outer edges, gather the inner "
+        "ones to the length of the seam, and sew them on beside it.",
+    ),
+    "yoke frill": (
+        "Frill around the yoke",
+        "Cut a strip of 7 cm, twice as long as the marked piece all around, hem one edge, gather the other "
+        "to its length, and sew it on along the upper marked line.",
+    ),
+    "neck lace": (
+        "Lace at the neck",
+        "Sew lace of 4 cm along the neckline or the edge of the collar, its straight edge to the seam.",
+    ),
     "epaulettes": (
         "Epaulettes",
         "Cut four tabs of the marked halves, laid together along the shoulder, with allowances. Sew two and "

@@ -16,6 +16,8 @@ WITH_BACK = {"bust": "back_width", "waist": "waist_back_width", "hips": "hip_bac
 
 
 FOLDED_OR_NOT = {
+    "cape",
+    "coat",
     "polo-shirt",
     "denim-jacket",
     "shirt",

@@ -35,3 +35,17 @@ def test_a_closed_cape_is_a_poncho():
     assert front > 40.0 > short
     names = [NamedDraft("cape", (("front", front),)).shows for front in ("open", "closed")]
     assert names == [("cape", "open_front"), ("cape",)]
+
+
+@pytest.mark.parametrize("collar", ["shirt", "flat", "standing"])
+def test_a_cape_coat_is_closed_down_the_front_and_has_a_collar(collar):
+    cape = draft("cape", length=60.0, closed=90.0, opening=4.0, collar=collar, collar_width=7.0)
+    assert_sound(cape)
+    assert seam_length(cape, "left_ftorso", "right_ftorso")[0] > 80.0
+    assert any("collar" in panel.name for panel in cape.panels)
+
+
+def test_a_hood_takes_the_place_of_a_collar():
+    hooded = draft("cape", hood=True, collar="flat")
+    assert_sound(hooded)
+    assert not any("collar" in panel.name for panel in hooded.panels)

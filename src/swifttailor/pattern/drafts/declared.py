@@ -126,7 +126,7 @@ HighNeckDepth = Annotated[
 ]
 HoodHeight = Annotated[float, Option("Height of the hood over the head length.", "cm", 4.0, 18.0)]
 HoodDepth = Annotated[float, Option("Depth of the hood on top of the head's own.", "cm", 2.0, 14.0)]
-CollarWidth = Annotated[float, Option("Width of the collar on the shoulder.", "cm", 3.0, 7.0)]
+CollarWidth = Annotated[float, Option("Width of the collar on the shoulder.", "cm", 3.0, 10.0)]
 CollarNeckDepth = Annotated[
     float, Option("Fall of the front neckline below the neck-shoulder point.", "cm", 7.0, 16.0)
 ]
@@ -173,8 +173,8 @@ OverlapOrOpening = Annotated[
 LapelDepth = Annotated[
     float, Option("Fall of the front neckline below the neck-shoulder point.", "cm", 18.0, 34.0)
 ]
-LapelCollarWidth = Annotated[float, Option("Width of the collar on the shoulder.", "cm", 3.0, 6.0)]
-LapelWidth = Annotated[float, Option("Width of the lapels where they are widest.", "cm", 4.0, 11.0)]
+LapelCollarWidth = Annotated[float, Option("Width of the collar on the shoulder.", "cm", 3.0, 8.0)]
+LapelWidth = Annotated[float, Option("Width of the lapels where they are widest.", "cm", 4.0, 12.0)]
 SideSlits = Annotated[float, Option("Length of the side seams left open above the hem.", "cm", 0.0, 85.0)]
 BelowWaist = Annotated[float, Option("Upper edge below the body's waist.", "cm", 0.0, 16.0)]
 BandEase = Annotated[float, Option("Room of the waistband on top of the waist girth.", "cm", -2.0, 4.0)]

@@ -15,9 +15,11 @@ from swifttailor.pattern.trims.shapes import Bow, Frill, StripKind, Trim
 
 _NECK_FRILL, _SLEEVE_FRILL, _HEM_FRILL, _FRINGE = 4.0, 5.0, 8.0, 12.0
 """How far each goes beyond its edge, cm."""
+_FRONT_FRILL, _FRILLED_LEAST = 4.5, 15.0
+"""Depth of frills down the front, and the shortest seam that has them, cm."""
 _TURNED_BACK = 4.0
 """Height of turned-up ends of sleeves, cm."""
-_EDGING, _LACE_TRIM, _RIB, _HEM_RIB = 1.3, 3.5, 2.0, 3.0
+_EDGING, _LACE_TRIM, _NECK_LACE, _RIB, _HEM_RIB = 1.3, 3.5, 4.0, 2.0, 3.0
 """How wide edging, lace and ribbed bands are, cm."""
 _BOW, _BOW_TAIL = 15.0, 17.0
 _BELOW_SHOULDER, _SHOULDER_BOW, _SHOULDER_TAIL = 3.0, 11.0, 10.5
@@ -85,6 +87,19 @@ def edging(chalk: Chalk, name: str) -> list[Trim]:
     of_lace, pattern = name == "lace trim", chalk.pattern
     edges = (*neck_edges(pattern), *hem_edges(pattern), *(() if of_lace else sleeve_ends(pattern)))
     return _along(chalk, name, tuple(dict.fromkeys(edges)), _LACE_TRIM if of_lace else _EDGING, "flat")
+
+
+def neck_lace(chalk: Chalk, name: str) -> list[Trim]:
+    """A strip of lace around the neck alone, or along the outer edge of a collar."""
+    return _along(chalk, name, neck_edges(chalk.pattern), _NECK_LACE, "flat")
+
+
+def front_frills(chalk: Chalk, name: str) -> list[Trim]:
+    """A gathered strip down both sides of the middle of the front, as of ruffled blouses."""
+    seam = front_edge(chalk.pattern)
+    if seam is None or seam[3] - seam[2] < _FRILLED_LEAST * chalk.size:
+        return []
+    return [piece for edge in seam[:2] for piece in _along(chalk, name, (edge,), _FRONT_FRILL)]
 
 
 def _along(

@@ -18,7 +18,7 @@ _HEM_CM, _PANELS_CM = 5.0, 30.0
 """A hem reaches so near to the lowest point of its panel, and that to the lowest of the garment, cm."""
 _ARMHOLE_CM, _BESIDE_CM, _SHOULDER_CM = 8.0, 4.0, 8.0
 """An armhole rises at least so far, lies so far from the middle, ends so near to the top of its panel, cm."""
-_SHORTEST_CM = 1.0
+_SHORTEST_CM, _NEAR_MIDDLE_CM = 1.0, 2.0
 
 
 def neck_edges(pattern: Pattern) -> tuple[EdgeRef, ...]:
@@ -112,9 +112,11 @@ def _around_neck(panel: Panel, ref: EdgeRef, points: Floats) -> bool:
     """Whether a free edge of a front or back runs from the shoulder to the middle."""
     outline = panel.to_world(panel.outline(0.5))
     high, low = float(outline[:, 1].max()), float(outline[:, 1].min())
-    above = float(points[:, 1].max()) >= high - 1.0 and float(points[:, 1].min()) > low + 0.35 * (high - low)
     widest = float(np.abs(outline[:, 0]).max())
     inner = np.abs(points[:, 0])
+    between = float(inner.min()) < _NEAR_MIDDLE_CM  # straps: the edge in the middle begins below their ends
+    above = between or float(points[:, 1].max()) >= high - 1.0
+    above = above and float(points[:, 1].min()) > low + 0.35 * (high - low)
     return above and float(inner.min()) < 3.0 and float(inner.max()) < 0.9 * widest
 
 

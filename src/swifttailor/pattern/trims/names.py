@@ -46,9 +46,12 @@ TRIMS: Mapping[str, str] = {
     "sleeve frills": "frills at the ends of the sleeves",
     "sleeve turn-ups": "turned-up ends of the sleeves",
     "hem frill": "a frill along the hem",
+    "front frills": "frills down the front",
+    "yoke frill": "a frill around the yoke",
     "hem fringe": "fringe along the hem",
     "edging": "edging in another colour",
     "lace trim": "a lace trim along the edges",
+    "neck lace": "lace around the neck",
     "side stripes": "stripes down the sides",
     "sleeve stripes": "stripes down the sleeves",
     "neck bow": "a bow at the neck",
@@ -64,6 +67,7 @@ TRIMS: Mapping[str, str] = {
     "keyhole": "a keyhole below the neck",
     "back keyhole": "a keyhole at the back",
     "epaulettes": "epaulettes",
+    "arm slits": "slits for the arms",
     "diagonal closing": "a closing from the neck to the armhole",
     "rips": "rips with threads across",
     "knee rips": "a rip at each knee",
@@ -93,6 +97,7 @@ LIKE_EACH_OTHER = (
     ("kangaroo pocket", "front pocket"),
     ("hem frill", "hem fringe", "hem rib", "frayed hem"),
     ("edging", "lace trim"),
+    ("neck lace", "lace trim"),
     ("sleeve frills", "sleeve turn-ups"),
     ("neck frill", "neck bow", "neck cord"),
     ("creases", "pleat lines"),
@@ -156,7 +161,7 @@ def trims_read(raw: Any) -> tuple[str, ...]:
         if not unknown:
             return tuple(dict.fromkeys(raw))
         raise PatternError(
-            f"properties.trims: there is no trim named {unknown[0][:60]!r}. Accepted are: {', '.join(TRIMS)}."
+            f"properties.trims: there is no trim named {unknown[0][:40]!r}. Accepted are: {', '.join(TRIMS)}."
         )
     raise PatternError(
         f"properties.trims: a list of names was expected, of {', '.join(TRIMS)}. Correct or remove it."

@@ -16,6 +16,7 @@ from swifttailor.pattern.trims import (
     pressed_lines,
     quilting,
 )
+from swifttailor.pattern.trims.arm_slits import arm_slits
 from swifttailor.pattern.trims.boning import boning
 from swifttailor.pattern.trims.chalk import Chalk
 from swifttailor.pattern.trims.diagonal_closing import diagonal_closing
@@ -26,6 +27,7 @@ from swifttailor.pattern.trims.rips import frayed_hem, rips
 from swifttailor.pattern.trims.shapes import Trim
 from swifttailor.pattern.trims.side_stripes import side_stripes, sleeve_stripes
 from swifttailor.pattern.trims.stirrups import stirrups
+from swifttailor.pattern.trims.yoke_frill import yoke_frill
 
 _PLACES: Mapping[str, Callable[[Chalk, str], list[Trim]]] = {
     "buttons": fastenings.buttons,
@@ -66,9 +68,12 @@ _PLACES: Mapping[str, Callable[[Chalk, str], list[Trim]]] = {
     "sleeve frills": decorations.sleeve_frills,
     "sleeve turn-ups": decorations.sleeve_turn_ups,
     "hem frill": decorations.hem_frill,
+    "front frills": decorations.front_frills,
+    "yoke frill": yoke_frill,
     "hem fringe": decorations.hem_frill,
     "edging": decorations.edging,
     "lace trim": decorations.edging,
+    "neck lace": decorations.neck_lace,
     "side stripes": side_stripes,
     "sleeve stripes": sleeve_stripes,
     "neck bow": decorations.neck_bow,
@@ -84,6 +89,7 @@ _PLACES: Mapping[str, Callable[[Chalk, str], list[Trim]]] = {
     "keyhole": keyhole,
     "back keyhole": keyhole,
     "epaulettes": epaulettes,
+    "arm slits": arm_slits,
     "diagonal closing": diagonal_closing,
     "rips": rips,
     "knee rips": rips,

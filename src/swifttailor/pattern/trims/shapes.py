@@ -65,7 +65,7 @@ class Frill:
 
     trim: str
     edges: tuple[EdgeRef, ...]
-    """Edges of panels, free ones but for stripes, in any order."""
+    """Edges of panels, free ones but for stripes and frills down the front, in any order."""
     depth: float
     """How far it goes beyond them, cm; of a flat one, how wide it is."""
     length: float

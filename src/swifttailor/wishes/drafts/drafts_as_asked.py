@@ -27,7 +27,7 @@ from swifttailor.wishes.drafts.legged_drafts import legs_as_asked
 from swifttailor.wishes.drafts.sleeved_drafts import sleeves_as_asked
 
 _BARE = Claim("shoulders", "strapless")
-_ROLLED_CM, _STANDS_CM = 4.5, 4.0
+_ROLLED_CM, _STANDS_CM = 8.0, 4.0
 """Height of collars when they are worn."""
 _STAND, _ROLLED = Claim("collar", "stand"), Claim("collar", "turtleneck")
 _OF_LAPELS = frozenset({Claim("collar", "lapel"), Claim("shoulders", "both")})
@@ -193,7 +193,7 @@ _FITTED = frozenset({Claim("fit", "close"), Claim("bodice", "darted")})
 _LONG_KNITTED = (("sleeve_length", 58.0), ("sleeve_end", 23.0))
 _MAY_STAND = ("drop-waist-dress", "jumpsuit", "shift-dress", "swing-dress", "fitted-dress")
 _OF_SHIRT_DRESSES = "skirt_length skirt_fraction gathers bust_ease waist_ease sleeve_shape sleeves".split()
-_ROLL_CM, _FUNNEL_CM = 9.0, 7.0
+_ROLL_CM, _FUNNEL_CM = 8.5, 7.0
 
 
 def _standing(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
@@ -348,7 +348,8 @@ def _stands(claims: Sequence[Claim]) -> bool:
 def _with_stand(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     if draft.name == _SWEATSHIRT:
         collar = ROLLED if _ROLLED in claims else STANDING
-        return replace(draft, options=tuple({**dict(draft.options), collar[0]: collar[1]}.items()))
+        high = {"collar_height": _ROLL_CM} if _ROLLED in claims else {}
+        return replace(draft, options=tuple({**high, **dict(draft.options), collar[0]: collar[1]}.items()))
     bare = draft.name == "tank-top" or Claim("sleeves", "none") in claims
     kept = [option for option in draft.options if option[0] in _OF_TORSO]
     kept += [

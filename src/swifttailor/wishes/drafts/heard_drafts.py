@@ -46,9 +46,12 @@ _NOT_TOLD = ("kind", "shoulders")
 _AT_SHOULDERS = ("shoulders", "straps", "sleeves", "neckline", "collar", "hood")
 _BARE, _STAND, _TURTLENECK = Claim("shoulders", "strapless"), Claim("collar", "stand"), "turtleneck"
 _BARE_BACK = Claim("back_depth", "open")
+_COLLAR, _OF_COLLARS = "collar", ("collar", "collar_width", "collar_height", "neck_depth")
 _OF_DETAILS: Mapping[str, tuple[str, ...]] = {
-    "coat": ("flare", "lapels"),
-    "blazer": ("lapels",),
+    "coat": ("flare", "lapels", "lapel_width", "collar_width", "collar"),
+    "blazer": ("lapels", "lapel_width", "collar_width"),
+    "shirt": _OF_COLLARS,
+    "shirt-dress": _OF_COLLARS,
     "joggers": ("hip_ease", "leg_ease", "crotch_drop"),
 }
 """Options that a word about a detail tells of what another word names."""
@@ -60,6 +63,8 @@ _WHATEVER = NamedDraft("t-shirt", (("neck_widening", 0.7), ("chest_ease", 8.0), 
 _CLOSE = frozenset({Claim("fit", "close"), Claim("hips", "close")})
 _KNITTED, _CORDUROY = ("jersey", "rib-knit"), "twill"
 """Fabrics that stretch, and what corduroy is made as, which has ribs and does not."""
+_COATS, _JACKETS = ("coat", "hooded-coat", "cape"), ("blazer", "turtleneck")
+"""Drafts of what is worn over other clothes and open in front, long and short."""
 _STRAPLESS = ("bandeau", "bustier", "strapless-dress", "strapless-jumpsuit")
 _SHAWL = ("lapels", "shawl")
 _SHAWL_CARDIGAN = NamedDraft(
@@ -136,6 +141,7 @@ def _begun(heard: Heard, entries: Sequence[Entry], sure: Sequence[Claim]) -> lis
     if is_long_top(heard):
         kind, sure = "top", [claim for claim in sure if claim.name != "skirt_hem"]
     named = [draft for entry in entries for draft in entry.drafts if draft.kind == kind]
+    named = _of_coats(named, entries)
     named = _with_one_collar([as_not_refused(draft, heard.never) for draft in _in_detail(named, entries)])
     fitting = [draft_as_asked(armholes_as_asked(draft, heard.lacks), sure) for draft in named]
     if not named and heard.kind in (None, "top") and _tells_no_garment(heard):
@@ -147,6 +153,17 @@ def _begun(heard: Heard, entries: Sequence[Entry], sure: Sequence[Claim]) -> lis
         if _says_details(heard) and not any(heard.kind in entry.kinds for entry in heard.meant):
             fitting = [draft_of_kind(heard.kind, sure)]
     return [as_not_refused(draft, heard.never) for draft in fitting if draft is not None]
+
+
+def _of_coats(named: list[NamedDraft], entries: Sequence[Entry]) -> list[NamedDraft]:
+    """Of drafts that a text names, those that are coats where it names one: its collar is no dress's."""
+    garments = {draft.name for e in entries if e.category == "garments" for draft in e.drafts}
+    details = {draft.name for e in entries if e.category != "garments" for draft in e.drafts}
+    if garments and garments <= {*_COATS}:
+        return [draft for draft in named if draft.name in _COATS]
+    if garments == {_JACKETS[0]} and _JACKETS[0] in details:
+        return [draft for draft in named if draft.name in _JACKETS]
+    return named
 
 
 def _told_beside(heard: Heard, entry: Entry) -> int:
@@ -221,7 +238,9 @@ def _worn_beside(heard: Heard) -> list[Entry]:
     marks = () if heard.words is None else heard.words.marks
     if not any(mark.role == "garment" for mark in marks):
         return []
-    return [entry for mark in marks if mark.role == "like" for entry in mark.entries if entry.kinds]
+    own = [entry for mark in marks if mark.role == "garment" for entry in mark.entries]
+    like = [entry for mark in marks if mark.role == "like" for entry in mark.entries if entry.kinds]
+    return [entry for entry in like if entry not in own]  # a ringmaster wears a tailcoat, too
 
 
 def _outdone(heard: Heard) -> list[Entry]:
@@ -249,7 +268,9 @@ def _with_one_collar(named: list[NamedDraft]) -> list[NamedDraft]:
 
 def _in_detail(named: Sequence[NamedDraft], entries: Sequence[Entry]) -> list[NamedDraft]:
     """Coats and harem trousers as a detail has them: with a swing back, or not too droopy."""
-    details = {d.name: dict(d.options) for e in entries if e.category == "styles" for d in e.drafts}
+    details: dict[str, dict[str, float | bool | str]] = {}
+    for draft in [d for e in entries if e.category == "styles" for d in e.drafts]:
+        details[draft.name] = {**details.get(draft.name, {}), **dict(draft.options)}
     found = []
     for draft in named:
         told = details.get(draft.name, {})

@@ -28,9 +28,9 @@ _ALWAYS = ("t-shirt", "shirt", "turtleneck", "shirt-dress", "cardigan")
 _CUFFED = ("sweatshirt", "hoodie", "bomber-jacket", "denim-jacket")
 """Their sleeves end in cuffs, into which full ones are gathered."""
 _SHAPES: Mapping[str, str] = {
+    "balloon": "balloon",
     "puffed": "puffed",
     "bell": "bell",
-    "balloon": "balloon",
     "gathered end": "balloon",
     "wide": "plain",
 }

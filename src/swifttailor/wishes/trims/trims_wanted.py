@@ -20,7 +20,7 @@ _BUTTONS = tuple(name for name in LIKE_EACH_OTHER[0] if "zip" not in name)
 _ZIPS = ("zip", "half zip", "back zip", "side zip", "fly")
 _BELTS = ("tie belt", "buckle belt")
 _KNEE_RIPS = ("knee rips", "left knee rip", "right knee rip")
-_FRILLS = ("neck frill", "sleeve frills", "hem frill")
+_FRILLS = ("neck frill", "sleeve frills", "hem frill", "front frills", "yoke frill")
 TRIMS_OF: Mapping[str, tuple[str, ...]] = {
     "pockets": _POCKETS,
     "buttons": (*_BUTTONS, "back buttons", "fly"),
@@ -35,7 +35,7 @@ TRIMS_OF: Mapping[str, tuple[str, ...]] = {
     "padding": ("quilting",),
     "ties": ("tie belt", "neck bow", "waist bow", "shoulder bows", "back bow", "back ties"),
     "braid": ("edging",),
-    "lace": ("lace trim",),
+    "lace": ("lace trim", "neck lace"),
     "side_stripes": ("side stripes", "sleeve stripes"),
     "frills": _FRILLS,
     "lacing": ("lacing",),
@@ -53,6 +53,7 @@ TRIMS_OF: Mapping[str, tuple[str, ...]] = {
     "keyhole": ("keyhole",),
     "keyhole_back": ("back keyhole",),
     "epaulettes": ("epaulettes",),
+    "arm_slits": ("arm slits",),
     "raw_hem": ("rips", *_KNEE_RIPS, "frayed hem"),
 }
 """By key of what cannot be made of panels, which trims can stand for it."""

@@ -12,6 +12,7 @@ from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure
 from swifttailor.pattern.drafts.hood import Hood, lay_hood, sew_hood
 from swifttailor.pattern.drafts.measurements import Measurements
+from swifttailor.pattern.drafts.neck_collar import CollarHeight, NeckCollar
 from swifttailor.pattern.drafts.neckline import Neckline, draw_neckline
 from swifttailor.pattern.drafts.options import Option
 from swifttailor.pattern.drafts.outline import Outline
@@ -49,13 +50,19 @@ class CapeOptions:
             "How much of the front is sewn together below the neck, as by a clasp; never all of it.",
             "cm",
             3.0,
-            60.0,
+            110.0,
         ),
     ] = 6.0
     front: Annotated[
         Literal["open", "closed"], Option("Closed is a poncho: sewn together from the neck to the hem.")
     ] = "open"
     hood: Annotated[bool, Option("Sew a hood to the neckline.")] = False
+    collar: Annotated[
+        Literal["none", "shirt", "flat", "standing"],
+        Option("Collar, where there is no hood: a shirt's, one that lies flat, or one that stands."),
+    ] = "none"
+    collar_width: declared.CollarWidth = 5.5
+    collar_height: CollarHeight = 4.0
     hood_height: declared.HoodHeight = 6.0
     hood_depth: declared.HoodDepth = 6.0
 
@@ -63,7 +70,10 @@ class CapeOptions:
 def draft_cape(options: CapeOptions, measurements: Measurements) -> Pattern:
     """Drafts the cape for a body: held at the neck, open below or closed."""
     figure, table = Figure.of(measurements), CuttingTable("cape")
-    neckline = Neckline("round", options.neck_widening, options.neck_depth, 2.0)
+    collar = NeckCollar(
+        "none" if options.hood else options.collar, options.collar_width, options.collar_height
+    )
+    neckline = collar.neckline(Neckline("round", options.neck_widening, options.neck_depth, 2.0))
     for face in "fb":
         front = face == "f"
         outline = _half(figure, options, neckline, front=front)
@@ -75,10 +85,12 @@ def draft_cape(options: CapeOptions, measurements: Measurements) -> Pattern:
         table.label(f"{panel}.neck", "left_collar")
     if options.hood:
         lay_hood(table, figure, Hood(options.hood_height, options.hood_depth))
+    collar.lay(table, figure)
     table.mirror()
     sew_centres(table)
     if options.hood:
         sew_hood(table)
+    collar.sew(table)
     return table.finish()
 
 

@@ -174,6 +174,10 @@ class CoatOptions(BlazerOptions):
     arm_ease: declared.ArmEase = 10.0
     sleeve_end: declared.SleeveEnd = 31.0
     standing: Annotated[bool, Option("Sew a collar that stands to a close neck instead of lapels.")] = False
+    collar: Annotated[
+        Literal["lapels", "shirt", "folded", "flat", "standing"],
+        Option("Collar: lapels, or one of those that shirts have."),
+    ] = "lapels"
     collar_height: CollarHeight = 5.0
     shoulder_extension: declared.ShoulderExtension = 0.0
     armhole: ArmholeCutOption = "set-in"
@@ -182,7 +186,8 @@ class CoatOptions(BlazerOptions):
 
 def draft_coat(options: CoatOptions, measurements: Measurements) -> Pattern:
     """Drafts the coat for a body: a longer, wider blazer."""
-    collar = NeckCollar("standing", 0.0, options.collar_height) if options.standing else None
+    shape = "standing" if options.standing else options.collar
+    collar = None if shape == "lapels" else NeckCollar(shape, options.collar_width, options.collar_height)
     return _with_lapels("coat", options, measurements, collar, options.armhole, options.wing)
 
 

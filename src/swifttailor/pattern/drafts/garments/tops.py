@@ -154,7 +154,7 @@ class TurtleneckOptions:
     neck_depth: Annotated[
         float, Option("Fall of the front neckline below the neck-shoulder point.", "cm", 5.0, 10.0)
     ] = 6.5
-    collar_height: Annotated[float, Option("Height of the collar.", "cm", 2.0, 14.0)] = 4.5
+    collar_height: Annotated[float, Option("Height of the collar.", "cm", 2.0, 14.0)] = 8.0
     rolled: Annotated[bool, Option("Turn the collar down over itself.")] = True
     armhole_drop: declared.ArmholeDrop = 2.5
     sleeves: declared.Sleeves = True

@@ -1,0 +1,71 @@
+"""Collars and coats by words: which block they are cut from, how high and wide the collar is."""
+
+from __future__ import annotations
+
+import pytest
+
+from swifttailor.wishes.descriptions.hearing import hear_description
+from swifttailor.wishes.reader import WishReader
+from swifttailor.wishes.trims.trims_wanted import trims_wanted
+
+
+@pytest.fixture(scope="module")
+def reader():
+    return WishReader.load()
+
+
+@pytest.mark.parametrize(
+    ("text", "name", "options"),
+    [
+        ("a warm polo neck jumper", "sweatshirt", {"collar": "rolled", "collar_height": 8.5}),
+        ("red dress with a roll neck", "shirt-dress", {"collar": "rolled", "collar_height": 8.0}),
+        ("ribbed turtleneck dress", "shift-dress", {"collar": "rolled", "collar_height": 8.0}),
+        ("funnel neck sweatshirt, grey", "sweatshirt", {"collar": "standing", "collar_height": 7.5}),
+        ("mock neck top", "sweatshirt", {"collar": "standing", "collar_height": 4.5}),
+        ("tuxedo jacket with shawl lapels", "blazer", {"lapels": "shawl"}),
+        ("a grey coat with huge lapels", "coat", {"lapel_width": 12.0}),
+        ("double breasted winter coat with a large collar", "coat", {"collar_width": 8.0}),
+        ("a jacket with an oversized collar", "blazer", {"collar_width": 8.0}),
+        ("navy coat with a Peter Pan collar", "coat", {"collar": "flat"}),
+        ("pirate shirt with a wide floppy collar", "shirt", {"collar": "folded", "collar_width": 10.0}),
+        ("a shirt with a big Peter Pan collar", "shirt", {"collar": "flat", "collar_width": 7.0}),
+        ("fitted dress coat with a flared skirt", "shirt-dress", {"collar": "revers"}),
+        ("blue housecoat", "coat", {"collar": "shirt", "opening": -3.0}),
+        ("cape coat in red wool", "cape", {"collar": "shirt", "closed": 90.0}),
+        ("ringmaster tailcoat", "blazer", {}),
+    ],
+)
+def test_a_collar_and_the_block_that_it_is_cut_on(reader, text, name, options):
+    first = hear_description(text, reader).drafts[0]
+    assert first.name == name
+    assert options.items() <= dict(first.options).items()
+
+
+@pytest.mark.parametrize(
+    ("text", "draft", "trims"),
+    [
+        ("white nightie with lace around the neckline", "shift-dress", {"neck lace"}),
+        ("ruffle blouse in ivory", "shirt", {"neck frill", "front frills"}),
+        ("victorian blouse", "shirt", {"neck frill", "yoke frill"}),
+        ("a cape coat", "cape", {"arm slits", "buttons"}),
+        ("housecoat, buttoned up the front", "coat", {"buttons"}),
+    ],
+)
+def test_what_is_put_on_at_the_neck_and_down_the_front(reader, text, draft, trims):
+    wishes = trims_wanted(hear_description(text, reader), draft)
+    assert trims <= {name for wish in wishes for name in wish.choices[0]}
+
+
+@pytest.mark.parametrize("word", ["I can turn up", "turned up", "that turns up"])
+def test_a_collar_that_is_turned_up_turns_up_no_legs(reader, word):
+    heard = hear_description(f"a camel coat with a big collar {word}", reader)
+    assert not any(lack.what == "turn_ups" for lack in heard.lacks)
+
+
+def test_trousers_have_turn_ups(reader):
+    heard = hear_description("grey trousers with turn ups", reader)
+    assert any("turn-ups" in wish.choices[0] for wish in trims_wanted(heard, "trousers"))
+
+
+def test_lace_at_the_neck_is_not_the_cloth_of_the_whole(reader):
+    assert not hear_description("cotton nightie, lace at the neck", reader).with_looks().looks.looks
