@@ -179,10 +179,7 @@ def test_bands_of_figures_lie_behind_all_that_lots_decide():
     )
 
     first = FIRST_MOTIF + BANDS * SIDE**2
-    assert (
-        first == FIRST_GRAPHIC + GRAPHICS * GRAPHIC_SIDE**2
-        and len(bank()) == first + SIDE**2
-    )
+    assert first == FIRST_GRAPHIC + GRAPHICS * GRAPHIC_SIDE**2 and len(bank()) == first + SIDE**2
     figures = bank()[first : first + SIDE**2].reshape(SIDE, SIDE)
     assert set(np.unique(figures)) == {0, 1, 2, 3}
     assert (figures[:, : SIDE // 2] == figures[:, SIDE // 2 :]).all()

@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from swifttailor.wishes.looks.heard_print import asks_for_plain, heard_print, print_line
-from swifttailor.wishes.text.lexicon_spelling import guessed_name, lexicon_spelling
 from swifttailor.wishes.looks.naps import nap_of
+from swifttailor.wishes.text.lexicon_spelling import guessed_name, lexicon_spelling
 from swifttailor.wording.lexicon import foreign_language, read_words
 
 
@@ -153,7 +153,13 @@ def test_checks_have_the_colours_that_are_named(text, kind, colors):
 
 
 def test_a_spiral_goes_through_colours_that_divide_its_six():
-    for named in ("", " in blue", " in purple and green", " in red, white and blue", " in red, blue, green and pink"):
+    for named in (
+        "",
+        " in blue",
+        " in purple and green",
+        " in red, white and blue",
+        " in red, blue, green and pink",
+    ):
         found = heard_print(f"tie dye t-shirt{named}", read_words(f"tie dye t-shirt{named}"))
         assert found is not None and len(found.colors) in (2, 3, 6)
 

@@ -50,7 +50,7 @@ MOTIFS = (
     *("leopard", "zebra", "tiger", "giraffe", "cowhide", "dalmatian", "scales", "crocodile"),
     *("tie_dye", "batik", "marble", "clouds", "bleach", "ikat"),
     *("palms", "paisley", "lozenges", "argyle", "patchwork", "serape", "medallions", "waves", "triangles"),
-    *("curls", "cables", "sequins", "pile", "foil", "fur"),
+    *("curls", "cables", "sequins", "pile", "foil", "channels", "fur"),
 )
 TEXTURE_SIDE = 2048
 """Pixels: a millimetre or two of cloth each."""
@@ -149,8 +149,8 @@ def _is_size(name: object, value: object) -> bool:
 def cloth_at(garment: Garment) -> Array:
     """(f, 3, 2) where on the cloth the corners of the faces lie, cm, seen from its right side.
 
-    Every panel is cut from the same height of the print: stripes meet at seams between halves. Its middle lies
-    at the middle of the print (`panel_mesh.cloth_places`).
+    Every panel is cut from the same height of the print: stripes meet at seams between halves. Its middle
+    lies at the middle of the print (`panel_mesh.cloth_places`).
     """
     return flat_places(garment)[garment.mesh.flat_faces]
 

@@ -1,4 +1,4 @@
-"""Where across the cloth panels are cut: halves that need no seam between them as one, all about their middles."""
+"""Where across the cloth panels are cut: halves that need no seam between them as one, by their middles."""
 
 from __future__ import annotations
 
@@ -16,7 +16,8 @@ def shifts_across(mesh: PatternMesh, points: Array) -> Array:
 
     Args:
         mesh: Any.
-        points: (m, 2) flat vertices, cm from the lower left corner of their panels (`uv_layout.cut_from_cloth`).
+        points: (m, 2) flat vertices, cm from the lower left corner of their panels, as of
+            `uv_layout.cut_from_cloth`.
 
     Returns:
         (n,) cm to the right.

@@ -61,7 +61,9 @@ def marble() -> Array:
     chance = np.random.default_rng(23)
     shades = np.clip(0.6 + 0.4 * even_noise(chance, 4.0), 0.0, 1.4)
     veins = [np.abs(smooth_noise(chance, NAMED_SIDE, 2.0, stretch)) for stretch in (1.5, 0.7)]
-    depth = np.maximum(*[np.clip(1.0 - vein / width, 0.0, 1.0) for vein, width in zip(veins, (0.1, 0.05), strict=True)])
+    depth = np.maximum(
+        *[np.clip(1.0 - vein / width, 0.0, 1.0) for vein, width in zip(veins, (0.1, 0.05), strict=True)]
+    )
     return RAMP * np.maximum(shades, 2.0 * depth)
 
 

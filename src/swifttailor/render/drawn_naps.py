@@ -1,4 +1,4 @@
-"""What the face of cloth looks like from near: curls, plaits, sequins, pile; heights of 0 to 2 * RAMP that repeat.
+"""What the face of cloth looks like from near: curls, plaits, sequins, pile; heights of 0 to 2 * RAMP.
 
 Their three colours are those of hollows, of the whole and of what stands out.
 """
@@ -14,6 +14,8 @@ from swifttailor.render.motifs import smooth_noise
 from swifttailor.render.ramps import NAMED_SIDE, RAMP, cells, even_noise
 
 _SEQUINS = 16
+CHANNELS = 4
+"""Cushions of puffed cloth in a repeat."""
 _CURLS = 30.0
 
 
@@ -55,8 +57,20 @@ def sequins() -> Array:
 def pile() -> Array:
     """Velvet: pile that lies a little this way and that, in long soft strokes."""
     chance = np.random.default_rng(43)
-    soft = 0.7 * even_noise(chance, 5.0, stretch=2.2, spread=0.5) + 0.3 * even_noise(chance, 20.0, stretch=2.0)
+    soft = 0.7 * even_noise(chance, 5.0, stretch=2.2, spread=0.5) + 0.3 * even_noise(
+        chance, 20.0, stretch=2.0
+    )
     return RAMP * np.clip(1.0 + 0.5 * soft, 0.0, 2.0)
+
+
+def channels() -> Array:
+    """Puffed cloth: four cushions one above the other, lit from above, with creases at their seams."""
+    chance = np.random.default_rng(46)
+    _, y = cells()
+    up = (CHANNELS * y) % 1.0
+    lit = -np.cos(np.pi * up) * np.sin(np.pi * up) ** 0.35
+    creases = even_noise(chance, 16.0, spread=0.6) * np.abs(up - 0.5) ** 1.5
+    return RAMP * np.clip(1.0 + 0.9 * lit + 0.6 * creases, 0.0, 2.0)
 
 
 def foil() -> Array:
@@ -79,5 +93,6 @@ DRAWN: Mapping[str, Callable[[], Array]] = {
     "sequins": sequins,
     "pile": pile,
     "foil": foil,
+    "channels": channels,
     "fur": fur,
 }

@@ -22,7 +22,14 @@ def palms() -> Array:
         turn, long = chance.uniform(0.0, 2 * np.pi), chance.uniform(0.17, 0.23)
         bend = chance.uniform(-0.8, 0.8)
 
-        def frond(x: Array, y: Array, turn: float = turn, long: float = long, bend: float = bend, ink: int = k % 3 + 1):
+        def frond(
+            x: Array,
+            y: Array,
+            turn: float = turn,
+            long: float = long,
+            bend: float = bend,
+            ink: int = k % 3 + 1,
+        ):
             along = (x * np.cos(turn) + y * np.sin(turn)) / long
             across = (y * np.cos(turn) - x * np.sin(turn)) / long - bend * 0.3 * along**2
             half = 0.62 * np.clip(1 - np.abs(along) ** 2.2, 0.0, 1.0)
@@ -89,14 +96,25 @@ def patchwork() -> Array:
     inks = np.zeros((count, count), np.int64)
     for k in range(count):
         for j in range(count):
-            near = {inks[k - 1, j], inks[k, j - 1], inks[0, j] if k == count - 1 else -1, inks[k, 0] if j == count - 1 else -1}
+            near = {
+                inks[k - 1, j],
+                inks[k, j - 1],
+                inks[0, j] if k == count - 1 else -1,
+                inks[k, 0] if j == count - 1 else -1,
+            }
             inks[k, j] = chance.choice([ink for ink in range(6) if ink not in near])
     ink, kind = inks[row, column], chance.integers(0, 6, (count, count))[row, column]
     u, v = (count * x) % 1.0, (count * y) % 1.0
     dots = np.hypot((4 * u) % 1.0 - 0.5, (4 * v) % 1.0 - 0.5) < 0.22
-    figured = np.select([kind == 0, kind == 1, kind == 2], [dots, (6 * v) % 1.0 < 0.35, ((4 * u) % 1.0 < 0.5) ^ ((4 * v) % 1.0 < 0.5)], False)
+    figured = np.select(
+        [kind == 0, kind == 1, kind == 2],
+        [dots, (6 * v) % 1.0 < 0.35, ((4 * u) % 1.0 < 0.5) ^ ((4 * v) % 1.0 < 0.5)],
+        False,
+    )
     ink = np.where(figured, (ink + 2) % 6, ink)
-    seam = (np.minimum(np.minimum(u, 1 - u), np.minimum(v, 1 - v)) < 0.02) & (((8 * u) % 1.0 < 0.6) & ((8 * v) % 1.0 < 0.6))
+    seam = (np.minimum(np.minimum(u, 1 - u), np.minimum(v, 1 - v)) < 0.02) & (
+        ((8 * u) % 1.0 < 0.6) & ((8 * v) % 1.0 < 0.6)
+    )
     return RAMP * np.where(seam, (ink + 1) % 6, ink).astype(np.float64)
 
 

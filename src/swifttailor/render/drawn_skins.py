@@ -35,7 +35,10 @@ def leopard() -> Array:
         if picture[np.ix_(row % NAMED_SIDE, column % NAMED_SIDE)].any():
             continue
         stamped(
-            picture, (place[0], place[1]), 0.03, lambda x, y, size=size: (np.hypot(x, 1.3 * y) < size, RAMP + 0 * x)
+            picture,
+            (place[0], place[1]),
+            0.03,
+            lambda x, y, size=size: (np.hypot(x, 1.3 * y) < size, RAMP + 0 * x),
         )
     return picture
 
@@ -56,7 +59,11 @@ def tiger() -> Array:
 def _wavy(seed: int, *, count: int, bend: float, thin: float) -> Array:
     chance = np.random.default_rng(seed)
     _, y = cells()
-    wave = np.sin(2 * np.pi * (count * y + bend * (0.42 * even_noise(chance, 2.5, spread=0.6) + 0.1 * even_noise(chance, 7.0))))
+    wave = np.sin(
+        2
+        * np.pi
+        * (count * y + bend * (0.42 * even_noise(chance, 2.5, spread=0.6) + 0.1 * even_noise(chance, 7.0)))
+    )
     level = thin + 0.55 * thin * even_noise(chance, 4.0)
     return np.clip(2.0 * (wave - level) + 0.5, 0.0, 1.0)
 
@@ -86,7 +93,9 @@ def dalmatian() -> Array:
         size, phase = 0.016 + 0.03 * chance.random() ** 1.5, chance.uniform(0.0, 7.0)
 
         def spot(x: Array, y: Array, size: float = size, phase: float = phase):
-            rough = 1 + 0.18 * np.cos(2 * np.arctan2(y, x) + phase) + 0.1 * np.cos(5 * np.arctan2(y, x) + phase)
+            rough = (
+                1 + 0.18 * np.cos(2 * np.arctan2(y, x) + phase) + 0.1 * np.cos(5 * np.arctan2(y, x) + phase)
+            )
             return np.hypot(x, y) < size * rough, RAMP + 0 * x
 
         stamped(picture, (place[0], place[1]), 0.07, spot)
@@ -115,10 +124,10 @@ def crocodile() -> Array:
 
 def _two_nearest(places: Array) -> Array:
     """(2, side, side) how far off the nearest of some places (n, 2) and the next lie from each cell."""
-    from scipy.spatial import cKDTree
+    from scipy.spatial import KDTree
 
     at = np.stack([part.ravel() for part in cells()], axis=1)
-    away, _ = cKDTree(places, boxsize=1.0).query(at, k=2)
+    away, _ = KDTree(places, boxsize=1.0).query(at, k=2)
     return np.asarray(away).T.reshape(2, NAMED_SIDE, NAMED_SIDE)
 
 

@@ -48,6 +48,7 @@ def line(ax: float, ay: float, bx: float, by: float, half: float) -> Shape:
 
 
 def star(cx: float, cy: float, size: float, points: int = 5) -> Shape:
+    """A star, one point up."""
     turns = np.pi / 2 + np.pi * np.arange(2 * points) / points
     radii = [size if k % 2 == 0 else 0.42 * size for k in range(2 * points)]
     return polygon(*[(cx + r * np.cos(t), cy + r * np.sin(t)) for r, t in zip(radii, turns, strict=True)])

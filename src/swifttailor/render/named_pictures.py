@@ -12,7 +12,7 @@ from swifttailor.render.drawn_figures import FIGURES, figure_picture
 from swifttailor.render.motifs import BANDS
 from swifttailor.render.ramps import NAMED_SIDE, RAMP
 
-_FIELDS = drawn_skins.DRAWN | drawn_dyes.DRAWN | drawn_ornaments.DRAWN | drawn_naps.DRAWN
+_FIELDS = {**drawn_skins.DRAWN, **drawn_dyes.DRAWN, **drawn_ornaments.DRAWN, **drawn_naps.DRAWN}
 NAMED = (*FIGURES, *_FIELDS)
 """All names; their numbers as motifs follow `motifs.BANDS`."""
 

@@ -66,7 +66,7 @@ def _cell(bank, first, side, u, v):
 
 @njit(**FAST)
 def _named(bank, u, v, table):
-    """Red, green and blue of the picture that ends the bank at u and v, each 0 to 1: between its cells linearly."""
+    """Red, green and blue of the picture that ends the bank at u and v, each 0 to 1; linear between cells."""
     first, x, y = len(bank) - NAMED_SIDE * NAMED_SIDE, u * NAMED_SIDE - 0.5, v * NAMED_SIDE - 0.5
     fx, fy = math.floor(x), math.floor(y)
     s, t = x - fx, y - fy

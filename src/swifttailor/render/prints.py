@@ -186,7 +186,7 @@ class Plaid(KnownPrint):
 
 @dataclass(frozen=True)
 class Motif(KnownPrint):
-    """A pattern that repeats: flowers, leaves, camouflage of four colours (`motifs`), or of six (`named_pictures`)."""
+    """A pattern that repeats: flowers, camouflage of four colours (`motifs`), or `named_pictures` of six."""
 
     colors_of: tuple[LinearColor, ...]
     motif: int

@@ -15,12 +15,14 @@ RAMP = 64
 
 
 def cells() -> tuple[Array, Array]:
-    """x and y (NAMED_SIDE, NAMED_SIDE) of the middles of all cells, 0 to 1, y up."""
+    """X and y (NAMED_SIDE, NAMED_SIDE) of the middles of all cells, 0 to 1, y up."""
     y, x = (np.mgrid[0:NAMED_SIDE, 0:NAMED_SIDE] + 0.5) / NAMED_SIDE
     return x, y
 
 
-def stamped(picture: Array, at: tuple[float, float], reach: float, draw: Callable[..., tuple[Array, Array]]) -> None:
+def stamped(
+    picture: Array, at: tuple[float, float], reach: float, draw: Callable[..., tuple[Array, Array]]
+) -> None:
     """Draws into a square of a picture, round its borders where need be.
 
     Args:
@@ -53,9 +55,12 @@ def scattered(chance: np.random.Generator, count: int, jitter: float) -> Array:
     return (places + chance.uniform(-jitter, jitter, places.shape)) / count % 1.0
 
 
-def even_noise(chance: np.random.Generator, cycles: float, *, stretch: float = 1.0, spread: float = 0.35) -> Array:
-    """(NAMED_SIDE, NAMED_SIDE) noise that repeats, mean 0, deviation 1, with blots of about one size: no repeat is
-    told from the next.
+def even_noise(
+    chance: np.random.Generator, cycles: float, *, stretch: float = 1.0, spread: float = 0.35
+) -> Array:
+    """(NAMED_SIDE, NAMED_SIDE) noise that repeats, mean 0, deviation 1, with blots of about one size.
+
+    No repeat is told from the next.
 
     Args:
         chance: Where the lots come from.
@@ -67,5 +72,7 @@ def even_noise(chance: np.random.Generator, cycles: float, *, stretch: float = 1
     size = np.hypot(fy * stretch, fx)
     strength = np.exp(-(((size - cycles) / (spread * cycles)) ** 2))
     strength[0, 0] = 0.0
-    field: Array = np.fft.irfft2(strength * np.exp(2j * np.pi * chance.random(size.shape)), (NAMED_SIDE, NAMED_SIDE))
+    field: Array = np.fft.irfft2(
+        strength * np.exp(2j * np.pi * chance.random(size.shape)), (NAMED_SIDE, NAMED_SIDE)
+    )
     return field / field.std()

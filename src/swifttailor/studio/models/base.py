@@ -137,6 +137,7 @@ PrintMotif = Literal[
     "sequins",
     "pile",
     "foil",
+    "channels",
     "fur",
 ]
 PrintSize = Literal["width", "gap", "spacing", "radius", "repeat", "angle"]

@@ -41,11 +41,17 @@ _STRIPED_DOWN = frozenset(
 """Drafts of garments whose stripes run down, where no more is said of them; knitted ones are hooped."""
 _SHIRTING_CM = 1.2
 """So wide are stripes of shirts and trousers, where no more is said of them."""
-_TARTANS = re.compile(r"tartan|clan|scot|royal|black ?watch|burberry|glen|prince|pow|window|tattersall|grid|graph|madras", re.I)
+_TARTANS = re.compile(
+    r"tartan|clan|scot|royal|black ?watch|burberry|glen|prince|pow|window|tattersall|grid|graph|madras", re.I
+)
 """Names of checks that are of three colours or more; others of two colours have these alone."""
-_FIGURED = re.compile(r"[\s-]*(?:patterns?|patterning|motifs?|designs?|ornaments?|Mustern?|brocade pattern)(?!\w)", re.IGNORECASE)
+_FIGURED = re.compile(
+    r"[\s-]*(?:patterns?|patterning|motifs?|designs?|ornaments?|Mustern?|brocade pattern)(?!\w)",
+    re.IGNORECASE,
+)
 _FIGURED_BEFORE = re.compile(
-    r"(?<!\w)(?:motifs?|dessins?|motivos?|estampados?|dibujos?|disegni|motivi|fantasia|padrão|padrões|patroon)\s+$", re.IGNORECASE
+    r"(?<!\w)(?:motifs?|dessins?|motivos?|estampados?|dibujos?|disegni|motivi|fantasia|padrão|padrões|patroon)\s+$",
+    re.IGNORECASE,
 )
 _FIGURES_OF_COLOR = "medallions"
 _OF_CLOTH = re.compile(r"(?:check|checks|checked|checky|chequered|checkered|check pattern)", re.IGNORECASE)
@@ -91,7 +97,9 @@ def heard_print(text: str, words: WordReading) -> ClothPrint | None:
     if named.kind == "checks" and any(_kind(m) == "plaid" for m in marks):
         sizes["width"] = max(sizes["width"], _BUFFALO_CM)
     inks = tuple([f"#{ink}" for ink in named.inks])
-    return ClothPrint(named.kind, _colors(named.kind, named.motif, colors, inks), sizes, named.motif or "shapes")
+    return ClothPrint(
+        named.kind, _colors(named.kind, named.motif, colors, inks), sizes, named.motif or "shapes"
+    )
 
 
 def asks_for_plain(words: WordReading) -> bool:
@@ -133,7 +141,7 @@ def _unlike(sizes: Mapping[str, float], kind: str) -> dict[str, float]:
 
 
 def _in_color(text: str, words: WordReading) -> ClothPrint | None:
-    """"Red with gold pattern": figures of a colour on cloth of another, of which no more is said."""
+    """Figures of a colour on cloth of another, of which no more is said: "red with gold pattern"."""
     named = [f"#{color.rgb}" for color in words.colors]
     for color, m in zip(named, words.color_marks, strict=True):
         behind, before = text[m.end :], text[: m.start]

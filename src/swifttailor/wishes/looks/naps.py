@@ -6,6 +6,7 @@ import re
 from collections.abc import Mapping
 
 from swifttailor.garment.cloth_print import ClothPrint
+from swifttailor.render.drawn_naps import CHANNELS
 from swifttailor.wishes.looks.print_inks import shades
 from swifttailor.wording.lexicon import WordReading
 
@@ -14,14 +15,24 @@ _CURLED = re.compile(
     r"|flausch|astrakhan|furry|borreguito|orsetto",
     re.IGNORECASE,
 )
-_VELVET = re.compile(r"velvet|velour|velluto|terciopelo|samt|fluweel|veludo|plush|devor|chenille|panne|nicki", re.IGNORECASE)
+_VELVET = re.compile(
+    r"velvet|velour|velluto|terciopelo|samt|fluweel|veludo|plush|devor|chenille|panne|nicki", re.IGNORECASE
+)
 _NOT_VELVET = re.compile(r"cord|côtelé|ribbed", re.IGNORECASE)
 _GLITTER = re.compile(r"sequin|glitt?er|sparkl|pailletten|lentejuela|paillette|spangl", re.IGNORECASE)
 _METAL = re.compile(
-    r"metallic|metallics|lam[eé]|foil|liquid (?:gold|silver)|chrome|holographic|iridescent|metallisch|métallisé|hologram",
+    r"metallic|metallics|lam[eé]|foil|liquid (?:gold|silver)|chrome|holographic|iridescent|metallisch"
+    r"|métallisé|hologram",
     re.IGNORECASE,
 )
-_REPEATS_CM: Mapping[str, float] = {"curls": 34, "cables": 26, "sequins": 11, "pile": 34, "foil": 40, "fur": 30}
+_REPEATS_CM: Mapping[str, float] = {
+    "curls": 52,
+    "cables": 26,
+    "sequins": 11,
+    "pile": 34,
+    "foil": 40,
+    "fur": 30,
+}
 
 
 def nap_of(words: WordReading) -> str | None:
@@ -44,6 +55,16 @@ def nap_of(words: WordReading) -> str | None:
     if _VELVET.search(said) and not _NOT_VELVET.search(said):
         return "pile"
     return "foil" if _METAL.search(said) else None
+
+
+def puffed(color: str, apart: float) -> ClothPrint:
+    """Cloth with cushions between lines of quilting.
+
+    Args:
+        color: ``#rrggbb``.
+        apart: Distance of the lines, cm.
+    """
+    return ClothPrint("motif", shades("channels", color), {"repeat": CHANNELS * apart}, "channels")
 
 
 def napped(color: str, nap: str) -> ClothPrint:

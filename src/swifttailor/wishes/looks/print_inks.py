@@ -79,14 +79,15 @@ _INKS = FIGURES | _SKINS | _OTHERS
 _AS_NAMED = frozenset({"lozenges", "waves", "triangles"})
 """Of as many colours as are named, and no others."""
 SHADED = {
-    "curls": (0.8, 0.16),
+    "curls": (0.74, 0.22),
     "cables": (0.8, 0.3),
     "sequins": (0.5, 0.75),
     "pile": (0.72, 0.14),
     "foil": (0.6, 0.75),
+    "channels": (0.66, 0.3),
     "fur": (0.68, 0.22),
 }
-"""The face of cloth, of one colour: how light its hollows are, and how much of white is in what stands out."""
+"""The face of cloth, of one colour: how light its hollows are, and how much of white what stands out has."""
 
 
 def usual_inks(name: str) -> tuple[str, ...]:
@@ -127,7 +128,12 @@ def motif_inks(name: str, named: Sequence[str]) -> tuple[str, ...]:
         return (*named, *[ink for ink in _INKS[name] if ink not in named])[:6]
     other = named[1] if len(named) > 1 else contrast(first)
     if name == "patchwork":
-        tints = mixed(first, other, 0.5), mixed(first, LIGHT, 0.7), mixed(first, _BLACK, 0.75), mixed(other, LIGHT, 0.7)
+        tints = (
+            mixed(first, other, 0.5),
+            mixed(first, LIGHT, 0.7),
+            mixed(first, _BLACK, 0.75),
+            mixed(other, LIGHT, 0.7),
+        )
         return (*named, *tints)[:6]
     if name in _AS_NAMED:
         return (*named, other)[: max(2, len(named))][:6]
@@ -152,7 +158,7 @@ def tartan_inks(named: Sequence[str]) -> tuple[str, ...]:
 def tonal_check(color: str) -> tuple[str, ...]:
     """Ground, bands and lines of a check in shades of one colour, as suits and coats have it."""
     dark = brightness(color) < _LIGHT_FROM / 3
-    return color, mixed(LIGHT, color, 0.28) if dark else mixed(color, _BLACK, 0.62), mixed(LIGHT, color, 0.5)
+    return color, mixed(LIGHT, color, 0.28) if dark else mixed(color, _BLACK, 0.62), mixed(LIGHT, color, 0.32)
 
 
 def _tied(named: Sequence[str]) -> tuple[str, ...]:

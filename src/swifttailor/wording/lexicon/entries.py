@@ -81,7 +81,7 @@ MOTIFS = (
     *("leopard", "zebra", "tiger", "giraffe", "cowhide", "dalmatian", "scales", "crocodile"),
     *("tie_dye", "batik", "marble", "clouds", "bleach", "ikat"),
     *("palms", "paisley", "lozenges", "argyle", "patchwork", "serape", "medallions", "waves", "triangles"),
-    *("curls", "cables", "sequins", "pile", "foil", "fur"),
+    *("curls", "cables", "sequins", "pile", "foil", "channels", "fur"),
 )
 _SIZES = ("width", "gap", "angle", "spacing", "radius", "repeat")
 _PRINT_MARKS = (*_SIZES, "motif", "inks")
