@@ -24,7 +24,7 @@ def tie_dye() -> Array:
     away, turn = np.hypot(dx, dy), np.arctan2(dy, dx) / (2 * np.pi)
     rough = smooth_noise(chance, NAMED_SIDE, 1.7)
     spiral = np.exp(2j * np.pi * (turn + 2.1 * np.sqrt(away + 0.01) + 0.035 * rough))
-    blots = np.exp(2j * np.pi * (0.42 * even_noise(chance, 2.6) + 0.035 * rough))
+    blots = np.exp(2j * np.pi * (0.32 * even_noise(chance, 2.4) + 0.035 * rough))
     # Turns are blended as points of a circle, so that no cut is seen where one begins anew.
     share = np.clip((0.46 - away) / 0.2, 0.0, 1.0)
     phase = np.angle(share * spiral + (1.0 - share) * blots) / (2 * np.pi) % 1.0

@@ -70,13 +70,19 @@ def _named(bank, u, v, table):
     first, x, y = len(bank) - NAMED_SIDE * NAMED_SIDE, u * NAMED_SIDE - 0.5, v * NAMED_SIDE - 0.5
     fx, fy = math.floor(x), math.floor(y)
     s, t = x - fx, y - fy
+    left, lower = int(fx) & (NAMED_SIDE - 1), first + (int(fy) & (NAMED_SIDE - 1)) * NAMED_SIDE
+    right, upper = (left + 1) & (NAMED_SIDE - 1), first + ((int(fy) + 1) & (NAMED_SIDE - 1)) * NAMED_SIDE
+    near = bank[lower + left]
+    if near == bank[lower + right] and near == bank[upper + left] and near == bank[upper + right]:
+        s = t = 0.0  # most of a figured print: one cell tells all
     r = g = b = 0.0
     for n in range(4):
-        i, j = (int(fx) + (n & 1)) & (NAMED_SIDE - 1), (int(fy) + (n >> 1)) & (NAMED_SIDE - 1)
-        step = int(bank[first + j * NAMED_SIDE + i])
+        share = (s if n & 1 else 1.0 - s) * (t if n >> 1 else 1.0 - t)
+        if share == 0.0:
+            continue
+        step = int(bank[(upper if n >> 1 else lower) + (right if n & 1 else left)])
         low, part = _COLORS + 3 * ((step // RAMP) % 6), (step % RAMP) / RAMP
         high = low + 3 if low < _COLORS + 15 else _COLORS
-        share = (s if n & 1 else 1.0 - s) * (t if n >> 1 else 1.0 - t)
         r += share * (table[low] + part * (table[high] - table[low]))
         g += share * (table[low + 1] + part * (table[high + 1] - table[low + 1]))
         b += share * (table[low + 2] + part * (table[high + 2] - table[low + 2]))

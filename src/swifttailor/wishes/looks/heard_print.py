@@ -118,7 +118,7 @@ def print_line(found: ClothPrint) -> str:
         "dots": f"{2 * found.size('radius'):g} cm wide, {found.size('spacing'):g} cm apart",
         "motif": f"repeated after {found.size('repeat'):g} cm",
     }[found.kind]
-    name = found.motif if found.kind == "motif" else found.kind
+    name = found.motif.replace("_", " ") if found.kind == "motif" else found.kind
     shown = f"{name}{way if found.kind == 'stripes' else ''}"
     return f"{shown}, {sizes}, {' and '.join(found.colors)}"
 

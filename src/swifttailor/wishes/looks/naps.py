@@ -26,7 +26,7 @@ _METAL = re.compile(
     re.IGNORECASE,
 )
 _REPEATS_CM: Mapping[str, float] = {
-    "curls": 52,
+    "curls": 42,
     "cables": 26,
     "sequins": 11,
     "pile": 34,

@@ -81,7 +81,7 @@ _AS_NAMED = frozenset({"lozenges", "waves", "triangles"})
 SHADED = {
     "curls": (0.74, 0.22),
     "cables": (0.8, 0.3),
-    "sequins": (0.5, 0.75),
+    "sequins": (0.6, 0.75),
     "pile": (0.72, 0.14),
     "foil": (0.6, 0.75),
     "channels": (0.66, 0.3),
@@ -135,6 +135,13 @@ def motif_inks(name: str, named: Sequence[str]) -> tuple[str, ...]:
             mixed(other, LIGHT, 0.7),
         )
         return (*named, *tints)[:6]
+    if name == "argyle" and len(named) < 3:
+        return (
+            first,
+            mixed(other, first, 0.4 if len(named) == 1 else 1.0),
+            mixed(first, other, 0.7),
+            contrast(first),
+        )
     if name in _AS_NAMED:
         return (*named, other)[: max(2, len(named))][:6]
     if len(named) > 2:
