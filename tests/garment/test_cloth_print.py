@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import swifttailor
-from swifttailor.garment.cloth_print import ClothPrint, cloth_at, stated_print, texture
+from swifttailor.garment.cloth_print import ClothPrint, cloth_at, flat_places, stated_print, texture
 from swifttailor.garment.garment import Garment
 from swifttailor.garment.glb import glb_bytes
 from swifttailor.garment.triangle_mesh import mesh_of_garment
@@ -29,6 +29,7 @@ def test_a_report_states_a_print_and_is_read_back():
     for found in (
         STRIPES,
         ClothPrint("motif", ("#000000", "#ffffff", "#ff0000"), {"repeat": 9.0}, "flowers"),
+        ClothPrint("motif", tuple(f"#00000{k}" for k in range(6)), {"repeat": 70.0}, "tie_dye"),
     ):
         assert stated_print(json.loads(json.dumps({"print": found.to_json()}))) == found
 
@@ -94,3 +95,16 @@ def test_stripes_meet_where_halves_are_sewn_together():
     for welded in shared:
         a, b = (heights[(mesh.weld == welded) & half][0] for half in (left, right))
         assert a == pytest.approx(b, abs=0.02)
+
+
+def test_prints_go_on_over_the_middle_of_front_and_back():
+    mesh = mesh_pattern(swifttailor.draft("t-shirt"), 3.0)
+    places = flat_places(Garment(mesh, np.zeros((mesh.vertex_count, 3)), print=STRIPES))
+    names = [panel.name for panel in mesh.pattern.panels]
+    for side in "fb":
+        halves = [mesh.flat_panel == names.index(f"{half}_{side}torso") for half in ("left", "right")]
+        for welded in np.intersect1d(*[mesh.weld[half] for half in halves]):
+            there = [places[(mesh.weld == welded) & half][0] for half in halves]
+            assert np.allclose(there, (0.0, there[0][1]), atol=0.05)
+    sleeve = mesh.flat_panel == names.index("left_sleeve_f")
+    assert places[sleeve, 0].min() == pytest.approx(-places[sleeve, 0].max())

@@ -8,6 +8,7 @@ import pytest
 from swifttailor.garment.cloth_print import MOTIFS, ClothPrint
 from swifttailor.garment.print_tile import MOST_PIXELS, print_tile
 from swifttailor.render.color import to_linear
+from swifttailor.render.named_pictures import NAMED
 
 _COLORS = ("#203050", "#ffffff", "#b03020", "#e0c040")
 PRINTS = [
@@ -34,8 +35,9 @@ def test_a_tile_that_repeats_is_the_print(printed, angle):
     turned = ClothPrint(printed.kind, printed.colors, {**printed.sizes, "angle": angle}, printed.motif)
     places = np.random.default_rng(3).uniform(-150.0, 150.0, (3000, 2))
     away = np.abs(looked_up(turned, places) - turned.drawn(grain=0.0).colors(places)).max(axis=1)
-    # On the edge of two colours a pixel may have either.
-    assert np.median(away) < 0.01 and (away > 0.15).mean() < 0.03
+    # On the edge of two colours a pixel may have either, and fine shades differ within a pixel.
+    soft = printed.motif in NAMED
+    assert np.median(away) < (0.04 if soft else 0.01) and (away > 0.15).mean() < (0.06 if soft else 0.03)
 
 
 def test_it_has_the_smallest_repeat_and_a_bound():

@@ -6,18 +6,31 @@ import numpy as np
 import pytest
 
 from swifttailor.render.drawn_figures import FIGURES, figure_picture
-from swifttailor.render.motifs import BANDS, FIRST_MOTIF, SIDE, bank
+from swifttailor.render.named_pictures import NAMED, named_picture, number_of
 from swifttailor.render.prints import Motif
+from swifttailor.render.ramps import NAMED_SIDE, RAMP
 
 INKS = ((1.0, 1.0, 1.0), (0.6, 0.0, 0.0), (0.0, 0.4, 0.0), (0.0, 0.0, 0.3))
 
 
+SIDE = 128
+
+
 @pytest.mark.parametrize("name", FIGURES)
-def test_a_figure_leaves_its_ground_and_lies_in_the_bank(name):
+def test_a_figure_leaves_its_ground(name):
     picture = figure_picture(name, SIDE)
     assert 0.05 < np.mean(picture > 0) < 0.5 and picture.max() <= 3
-    first = FIRST_MOTIF + (BANDS + 1 + FIGURES.index(name)) * SIDE**2
-    assert (bank()[first : first + SIDE**2].reshape(SIDE, SIDE) == picture).all()
+
+
+@pytest.mark.parametrize("name", NAMED)
+def test_a_named_picture_has_several_inks_and_repeats_without_a_seam(name):
+    picture = named_picture(number_of(name)).reshape(NAMED_SIDE, NAMED_SIDE).astype(int)
+    assert 0 <= picture.min() and picture.max() <= 6 * RAMP and len(np.unique(picture)) > 1
+    share = np.bincount((picture // RAMP).ravel(), minlength=7) / picture.size
+    assert share.max() < 0.97
+    for one in (picture, picture.T):
+        steps = (np.abs(one - np.roll(one, 1, axis=0)) > RAMP // 2).mean(axis=1)
+        assert steps[0] <= steps.max(), "from the last row to the first no more changes than elsewhere"
 
 
 def test_figures_stand_upright_and_every_second_row_is_shifted():
@@ -30,5 +43,12 @@ def test_figures_stand_upright_and_every_second_row_is_shifted():
 
 def test_cloth_has_the_inks_of_its_figures():
     places = np.random.default_rng(0).uniform(0.0, 20.0, (4000, 2))
-    foxes = Motif(INKS, BANDS + 1 + FIGURES.index("foxes"), 10.0, grain=0.0)
-    assert len(np.unique(np.round(foxes.colors(places), 3), axis=0)) == 4
+    foxes = Motif(INKS, number_of("foxes"), 10.0, grain=0.0)
+    away = np.abs(foxes.colors(places)[:, None] - np.array(INKS)).max(axis=2).min(axis=1)
+    assert (away < 1e-3).mean() > 0.75, "all but the soft borders between two inks"
+
+
+def test_a_ramp_of_colours_is_blended():
+    curls = Motif(((0.0, 0.0, 0.0), (1.0, 1.0, 1.0)), number_of("pile"), 10.0, grain=0.0)
+    places = np.random.default_rng(0).uniform(0.0, 20.0, (4000, 2))
+    assert len(np.unique(np.round(curls.colors(places), 2), axis=0)) > 40

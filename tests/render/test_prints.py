@@ -168,7 +168,6 @@ def test_bands_and_dots_are_coloured_without_the_bank_of_motifs(monkeypatch):
 
 def test_bands_of_figures_lie_behind_all_that_lots_decide():
     """What training draws stays as it was; a band repeats across, and its rows differ."""
-    from swifttailor.render.drawn_figures import FIGURES
     from swifttailor.render.motifs import (
         BANDS,
         FIRST_GRAPHIC,
@@ -180,10 +179,7 @@ def test_bands_of_figures_lie_behind_all_that_lots_decide():
     )
 
     first = FIRST_MOTIF + BANDS * SIDE**2
-    assert (
-        first == FIRST_GRAPHIC + GRAPHICS * GRAPHIC_SIDE**2
-        and len(bank()) == first + (1 + len(FIGURES)) * SIDE**2
-    )
+    assert first == FIRST_GRAPHIC + GRAPHICS * GRAPHIC_SIDE**2 and len(bank()) == first + SIDE**2
     figures = bank()[first : first + SIDE**2].reshape(SIDE, SIDE)
     assert set(np.unique(figures)) == {0, 1, 2, 3}
     assert (figures[:, : SIDE // 2] == figures[:, SIDE // 2 :]).all()

@@ -69,10 +69,10 @@ def test_what_was_not_understood_is_named_beside_what_was_done(tailor):
     made = tailor.edit(DRESS, "make it glorped and 12 cm longer with sequins")
     assert (
         'Not understood: "glorped".' in made.notes
-        and "Cannot be made: embroidery, beads and sequins." in made.notes
+        and "Cannot be made: sequins sewn on (they are drawn)." in made.notes
     )
     assert made.needs_a_look, "12 cm longer, but without sequins, and who knows what glorped is"
-    assert made.report["heard"]["cannot"] == ["embroidery, beads and sequins"]
+    assert made.report["heard"]["cannot"] == ["sequins sewn on (they are drawn)"]
     assert made.report["not_understood"] == ["glorped"]
 
 

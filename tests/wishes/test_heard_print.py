@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from swifttailor.wishes.looks.heard_print import asks_for_plain, heard_print, print_line
+from swifttailor.wishes.looks.naps import nap_of
 from swifttailor.wishes.text.lexicon_spelling import guessed_name, lexicon_spelling
 from swifttailor.wording.lexicon import foreign_language, read_words
 
@@ -101,9 +102,84 @@ def test_a_print_has_all_colours_that_its_name_says() -> None:
     [
         ("a broderie anglaise blouse", "dots", ("#f7f6f1", "#b4b1aa")),
         ("a crochet top", "dots", ("#f2ebde", "#b3a48f")),
-        ("sequin mini skirt silver", "dots", ("#c0c0c0", "#d9d9d9")),
+        ("sequin mini skirt silver", "motif", ("#737373", "#c0c0c0", "#efefef")),
     ],
 )
 def test_holes_and_sequins_are_in_the_colour_of_their_cloth(text, kind, colors):
     found = heard_print(text, read_words(text))
     assert found is not None and (found.kind, found.colors) == (kind, colors)
+
+
+@pytest.mark.parametrize(
+    ("text", "motif", "first"),
+    [
+        ("leopard print leggings", "leopard", "#cfa266"),
+        ("a tunic, PRINT: LEOPARD", "leopard", "#cfa266"),
+        ("blue zebra print top", "zebra", "#f4f1e8"),
+        ("brown cow print skirt", "cowhide", "#f4f1e8"),
+        ("Hawaiian shirt, big palm leaves", "palms", "#f4f1e8"),
+        ("navy shirt with palm leaves", "palms", "#1f2a44"),
+        ("brown and orange paisley maxi dress", "paisley", "#6b4423"),
+        ("harlequin costume in red and yellow", "lozenges", "#ab252e"),
+        ("patchwork jeans, blue and cream", "patchwork", "#365c96"),
+        ("poncho, mexican style stripes", "serape", "#c92f38"),
+        ("kimono with cranes", "cranes", "#33507a"),
+        ("pale blue pyjamas with small dogs on it", "dogs", "#bcd4e6"),
+        ("qipao in red with gold pattern", "medallions", "#ab252e"),
+        ("black robe with a silver pattern", "medallions", "#000000"),
+        ("navy dress with a little pattern", "flowers", "#1f2a44"),
+        ("surcoat with a white cross on red", "crosses", "#ab252e"),
+    ],
+)
+def test_figured_prints_are_of_their_kind_on_their_ground(text, motif, first):
+    found = heard_print(text, read_words(text))
+    assert found is not None and (found.motif, found.colors[0]) == (motif, first)
+
+
+@pytest.mark.parametrize(
+    ("text", "kind", "colors"),
+    [
+        ("lumberjack shirt red and black check", "checks", ("#ab252e", "#000000")),
+        ("buffalo plaid jacket, black and white", "checks", ("#000000", "#ffffff")),
+        ("wool trousers, brown check", "plaid", ("#6b4423", "#4b3220", "#977b62")),
+        ("blue checked blouse", "checks", ("#365c96", "#f4f1e8")),
+        ("kilt in green tartan", "plaid", ("#40724f", "#2e4a49", "#c7d1c2")),
+        ("tartan kilt", "plaid", ("#a3262e", "#20402f", "#e2c860")),
+    ],
+)
+def test_checks_have_the_colours_that_are_named(text, kind, colors):
+    found = heard_print(text, read_words(text))
+    assert found is not None and (found.kind, found.colors) == (kind, colors)
+
+
+def test_a_spiral_goes_through_colours_that_divide_its_six():
+    for named in (
+        "",
+        " in blue",
+        " in purple and green",
+        " in red, white and blue",
+        " in red, blue, green and pink",
+    ):
+        found = heard_print(f"tie dye t-shirt{named}", read_words(f"tie dye t-shirt{named}"))
+        assert found is not None and len(found.colors) in (2, 3, 6)
+
+
+@pytest.mark.parametrize(
+    ("text", "nap"),
+    [
+        ("pink fluffy dressing gown", "curls"),
+        ("teddy bear coat", "curls"),
+        ("sherpa jacket", "curls"),
+        ("sweater with cables", "cables"),
+        ("Aran jumper", "cables"),
+        ("gold sequins dress", "sequins"),
+        ("sparkly pink party dress", "sequins"),
+        ("burgundy velvet dress", "pile"),
+        ("metallic gold skirt", "foil"),
+        ("brown fur coat", "fur"),
+        ("corduroy skirt", None),
+        ("cotton dress", None),
+    ],
+)
+def test_the_face_of_cloth_is_drawn(text, nap):
+    assert nap_of(read_words(text)) == nap

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from swifttailor.arrays import Array
+from swifttailor.panel_mesh.cloth_places import shifts_across
 
 if TYPE_CHECKING:
     from swifttailor.garment.garment import Garment
@@ -44,6 +45,12 @@ MOTIFS = (
         "boats",
         "splatters",
     ),
+    *("cranes", "elephants", "dogs", "horses", "flamingos", "owls", "turtles", "pineapples", "skulls"),
+    *("snowflakes", "crosses"),
+    *("leopard", "zebra", "tiger", "giraffe", "cowhide", "dalmatian", "scales", "crocodile"),
+    *("tie_dye", "batik", "marble", "clouds", "bleach", "ikat"),
+    *("palms", "paisley", "lozenges", "argyle", "patchwork", "serape", "medallions", "waves", "triangles"),
+    *("curls", "cables", "sequins", "pile", "foil", "channels", "fur"),
 )
 TEXTURE_SIDE = 2048
 """Pixels: a millimetre or two of cloth each."""
@@ -56,7 +63,7 @@ _USUAL: Mapping[str, float] = {
     "repeat": 20.0,
     "angle": 0.0,
 }
-_FEWEST, _MOST = 2, 4
+_FEWEST, _MOST = 2, 6
 _GRAIN = 0.03
 _HEX = re.compile("#[0-9a-f]{6}")
 
@@ -68,7 +75,7 @@ class ClothPrint:
     kind: str
     """One of `KINDS`."""
     colors: tuple[str, ...]
-    """Two to four, ``#rrggbb``: of stripes the first is the band's and the second the gap's; of dots and
+    """Two to six, ``#rrggbb``: of stripes the first is the band's and the second the gap's; of dots and
     motifs the first is the ground's."""
     sizes: Mapping[str, float] = field(default_factory=dict)
     """``width`` and ``gap`` of stripes, ``width`` of checks, ``spacing`` of plaid and dots, ``radius`` of
@@ -87,8 +94,8 @@ class ClothPrint:
             grain: Unevenness of the yarn, relative.
         """
         from swifttailor.render.color import to_linear
-        from swifttailor.render.drawn_figures import FIGURES
         from swifttailor.render.motifs import BANDS
+        from swifttailor.render.named_pictures import NAMED, number_of
         from swifttailor.render.prints import Checks, Dots, Motif, Plaid, Stripes
 
         red_green_blue: list[LinearColor] = []
@@ -105,7 +112,7 @@ class ClothPrint:
             return Plaid(first, second, red_green_blue[-1], self.size("spacing"), angle=angle, grain=grain)
         if self.kind == "dots":
             return Dots(first, second, self.size("spacing"), self.size("radius"), angle, grain)
-        number = BANDS + 1 + FIGURES.index(self.motif) if self.motif in FIGURES else MOTIFS.index(self.motif)
+        number = number_of(self.motif) if self.motif in NAMED else MOTIFS.index(self.motif)
         number = BANDS if self.motif == "bands" else number
         return Motif(tuple(red_green_blue), number, self.size("repeat"), angle, grain)
 
@@ -142,7 +149,8 @@ def _is_size(name: object, value: object) -> bool:
 def cloth_at(garment: Garment) -> Array:
     """(f, 3, 2) where on the cloth the corners of the faces lie, cm, seen from its right side.
 
-    Every panel is cut from the same height of the print: stripes meet at seams between halves.
+    Every panel is cut from the same height of the print: stripes meet at seams between halves. Its middle
+    lies at the middle of the print (`panel_mesh.cloth_places`).
     """
     return flat_places(garment)[garment.mesh.flat_faces]
 
@@ -150,7 +158,9 @@ def cloth_at(garment: Garment) -> Array:
 def flat_places(garment: Garment) -> Array:
     """(m, 2) where on the cloth the flat vertices lie, cm; see `cloth_at`."""
     low, _ = _boxes(garment)
-    return (garment.uv - low[garment.mesh.flat_panel]) * garment.uv_scale
+    places: Array = (garment.uv - low[garment.mesh.flat_panel]) * garment.uv_scale
+    places[:, 0] += shifts_across(garment.mesh, places)[garment.mesh.flat_panel]
+    return places
 
 
 def texture(garment: Garment, side: int = TEXTURE_SIDE) -> Array:
@@ -176,10 +186,13 @@ def texture_places(garment: Garment, side: int) -> Array:
 
     across = (np.arange(side) + 0.5) / side
     points: Array = np.stack(np.meshgrid(across, across[::-1]), axis=2).astype(np.float64)
-    for low, high in zip(*_boxes(garment), strict=True):
+    boxes = _boxes(garment)
+    own = (garment.uv - boxes[0][garment.mesh.flat_panel]) * garment.uv_scale
+    shifts = shifts_across(garment.mesh, own) / garment.uv_scale
+    for low, high, shift in zip(*boxes, shifts, strict=True):
         left, right = np.searchsorted(across, [low[0] - GUTTER / 2, high[0] + GUTTER / 2])
         lower, upper = np.searchsorted(across, [low[1] - GUTTER / 2, high[1] + GUTTER / 2])
-        points[side - upper : side - lower, left:right] -= low
+        points[side - upper : side - lower, left:right] -= low - (shift, 0.0)
     return (points * garment.uv_scale).reshape(-1, 2)
 
 

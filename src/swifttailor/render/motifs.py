@@ -7,7 +7,6 @@ from functools import cache
 import numpy as np
 
 from swifttailor.arrays import Array
-from swifttailor.render.drawn_figures import FIGURES, figure_picture
 
 SIDE = 128
 """Cells along each side of a motif."""
@@ -25,7 +24,7 @@ FIRST_GRAPHIC = FIRST_MOTIF + MOTIFS * SIDE**2
 """Where in the bank each begins."""
 BANDS = MOTIFS + GRAPHICS * GRAPHIC_SIDE**2 // SIDE**2
 """Number of the motif that lies behind the graphics: bands of figures, of which no lots are drawn.
-The figures that have names follow it, in their order."""
+The pictures that have names follow it, in their order (`named_pictures`); they do not lie in the bank."""
 
 
 @cache
@@ -34,15 +33,14 @@ def bank() -> Array:
 
     Two pictures of noise that repeats (soft blotches; long creases), in steps, mean 0; then motifs of SIDE by
     SIDE numbers of colours, 0 to 3; then graphics of GRAPHIC_SIDE by GRAPHIC_SIDE: 0 the cloth, or a colour;
-    then bands of knitted figures and `FIGURES`, each as large as a motif.
+    then bands of knitted figures, as large as a motif.
     """
     chance = np.random.default_rng(20_240)
     makers = (_flowers, _leaves, _blotches, _spots, _shapes)
     motifs = [makers[k % len(makers)](chance) for k in range(MOTIFS)]
     graphics = [(_lettering, _badge, _picture)[k % 3](chance) for k in range(GRAPHICS)]
     noise = np.clip(np.round(_noise(chance) * NOISE_STEPS), -32_768, 32_767)
-    drawn = [figure_picture(name, SIDE) for name in FIGURES]
-    parts = (noise, *motifs, *graphics, _bands(), *drawn)
+    parts = (noise, *motifs, *graphics, _bands())
     return np.concatenate([np.ravel(part).astype(np.int16) for part in parts])
 
 

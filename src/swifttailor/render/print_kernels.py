@@ -22,6 +22,7 @@ from swifttailor.render.motifs import (
     SIDE,
     SOFT,
 )
+from swifttailor.render.ramps import NAMED_SIDE, RAMP
 from swifttailor.render.raster_kernels import NOTHING, weigh
 
 _SOFT_CM = 0.12
@@ -61,6 +62,31 @@ def _cell(bank, first, side, u, v):
     """What a picture of the bank, repeated over the plane, has at u and v, each 0 to 1."""
     i, j = int(np.floor(u * side)) & (side - 1), int(np.floor(v * side)) & (side - 1)
     return int(bank[first + j * side + i])
+
+
+@njit(**FAST)
+def _named(bank, u, v, table):
+    """Red, green and blue of the picture that ends the bank at u and v, each 0 to 1; linear between cells."""
+    first, x, y = len(bank) - NAMED_SIDE * NAMED_SIDE, u * NAMED_SIDE - 0.5, v * NAMED_SIDE - 0.5
+    fx, fy = math.floor(x), math.floor(y)
+    s, t = x - fx, y - fy
+    left, lower = int(fx) & (NAMED_SIDE - 1), first + (int(fy) & (NAMED_SIDE - 1)) * NAMED_SIDE
+    right, upper = (left + 1) & (NAMED_SIDE - 1), first + ((int(fy) + 1) & (NAMED_SIDE - 1)) * NAMED_SIDE
+    near = bank[lower + left]
+    if near == bank[lower + right] and near == bank[upper + left] and near == bank[upper + right]:
+        s = t = 0.0  # most of a figured print: one cell tells all
+    r = g = b = 0.0
+    for n in range(4):
+        share = (s if n & 1 else 1.0 - s) * (t if n >> 1 else 1.0 - t)
+        if share == 0.0:
+            continue
+        step = int(bank[(upper if n >> 1 else lower) + (right if n & 1 else left)])
+        low, part = _COLORS + 3 * ((step // RAMP) % 6), (step % RAMP) / RAMP
+        high = low + 3 if low < _COLORS + 15 else _COLORS
+        r += share * (table[low] + part * (table[high] - table[low]))
+        g += share * (table[low + 1] + part * (table[high + 1] - table[low + 1]))
+        b += share * (table[low + 2] + part * (table[high + 2] - table[low + 2]))
+    return r, g, b
 
 
 @njit(**FAST)
@@ -151,10 +177,11 @@ def color_at(u, v, x, y, z, table, layers, bank, out):
                 share = (_band(i, a * b, a - a * b) + _band(j, a * b, a - a * b)) / 2
             elif kind == 6:
                 number = int(a)
-                if number < BANDS:
-                    number %= MOTIFS
-                first = FIRST_MOTIF + number * SIDE * SIDE
-                color, share = _COLORS + 3 * _cell(bank, first, SIDE, i / b, j / b), 1.0
+                if number > BANDS:
+                    r, g, bl = _named(bank, i / b, j / b, table)
+                else:
+                    first = FIRST_MOTIF + (number if number == BANDS else number % MOTIFS) * SIDE * SIDE
+                    color, share = _COLORS + 3 * _cell(bank, first, SIDE, i / b, j / b), 1.0
         elif layer == 1:
             if kind == 5:
                 thin = a * c
@@ -271,7 +298,7 @@ def paint_samples(
         print_at: (f, 3, 2) float32, see `Surface.print_at`.
         table: See `cloth_table`.
         layers: See there.
-        bank: See `motifs.bank`.
+        bank: See `prints.bank_of`.
         paint: (H, W, 3) float32 linear colours; of kind `COORDINATES` u, v and 1 or, on the wrong side, -1.
         bumps: (H, W, 3) float32 by which folds tilt unit normals; or (0, 0, 3).
         samples: Along each side of a pixel.

@@ -8,6 +8,7 @@ import numpy as np
 
 from swifttailor.arrays import Array
 from swifttailor.render.cloth_table import COORDINATES, FOLDS, TableOfPrint, layers, new_table
+from swifttailor.render.prints import bank_of
 from swifttailor.render.scene import Projection
 from swifttailor.render.surface import Surface
 
@@ -65,7 +66,6 @@ def _paint(
     samples: int,
     few: bool,
 ) -> None:
-    from swifttailor.render.motifs import bank
     from swifttailor.render.print_kernels import paint_samples
 
     scene = projection.scene
@@ -86,7 +86,7 @@ def _paint(
         np.ascontiguousarray(surface.print_at, np.float32),
         table,
         layers(table),
-        bank(),
+        bank_of(table),
         paint,
         bumps,
         samples,

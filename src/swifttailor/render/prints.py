@@ -14,6 +14,7 @@ from swifttailor.render.cloth_table import (
     COLORS,
     COS,
     DOTS,
+    FOLDS,
     GRAIN,
     KIND,
     MOTIF,
@@ -51,7 +52,6 @@ class KnownPrint(ABC):
             at: (n, 2) points of the cloth, cm.
             rest: (n, 3) where they lie on a standing body, cm; the origin when None.
         """
-        from swifttailor.render.motifs import bank
         from swifttailor.render.print_kernels import color_points
 
         points = np.zeros((len(at), 5))
@@ -60,10 +60,29 @@ class KnownPrint(ABC):
             points[:, 2:] = rest
         colors = np.zeros((len(at), 3), np.float32)
         table = self.table()
-        # The bank takes seconds to make, and bands and dots have nothing of it.
-        needed = table[KIND] == MOTIF or table[WEAVE] > 0.0 or layers(table) & ~_WITHOUT_BANK
-        color_points(points, table, layers(table), bank() if needed else _NO_BANK, colors)
+        color_points(points, table, layers(table), bank_of(table), colors)
         return colors
+
+
+def bank_of(table: Array) -> Array:
+    """What the compiled loop looks up for a row: `motifs.bank`, a named picture, or both in one.
+
+    The bank takes seconds to make; bands, dots and named pictures have nothing of it.
+
+    Args:
+        table: See `cloth_table`.
+    """
+    from swifttailor.render.motifs import BANDS, bank
+
+    named = table[KIND] == MOTIF and table[SIZES] > BANDS
+    lots = (table[KIND] == MOTIF and not named) or table[WEAVE] > 0.0 or table[FOLDS] > 0.0
+    lots = lots or bool(layers(table) & ~_WITHOUT_BANK)
+    if not named:
+        return bank() if lots else _NO_BANK
+    from swifttailor.render.named_pictures import named_picture
+
+    own = named_picture(int(table[SIZES]))
+    return np.concatenate([bank(), own]) if lots else own
 
 
 @dataclass(frozen=True)
@@ -167,11 +186,11 @@ class Plaid(KnownPrint):
 
 @dataclass(frozen=True)
 class Motif(KnownPrint):
-    """A pattern of up to four colours that repeats: flowers, leaves, spots, camouflage (`motifs`)."""
+    """A pattern that repeats: flowers, camouflage of four colours (`motifs`), or `named_pictures` of six."""
 
     colors_of: tuple[LinearColor, ...]
     motif: int
-    """Which; counted on from the last one it begins anew."""
+    """Which; counted on from the last one without a name it begins anew."""
     repeat: float = 20.0
     """Centimetres after which it repeats."""
     angle: float = 0.0
@@ -181,7 +200,7 @@ class Motif(KnownPrint):
 
     def table(self) -> Array:
         """See `cloth_table`."""
-        colors = [self.colors_of[k % len(self.colors_of)] for k in range(4)]
+        colors = [self.colors_of[k % len(self.colors_of)] for k in range(MOST_COLORS)]
         return _table(MOTIF, self.grain, self.seed, self.angle, (self.motif, self.repeat), colors)
 
 

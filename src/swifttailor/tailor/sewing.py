@@ -21,6 +21,7 @@ from swifttailor.garment_sewer.sewer import BATCH, Prepared
 from swifttailor.pattern import Pattern, Reading, check_pattern, read_pattern_file, repair_pattern
 from swifttailor.pattern.check import BodyProbe, errors_of, require_no_errors
 from swifttailor.pattern.panel import RotationReading
+from swifttailor.pattern.trims.quilting import QUILTING, lines_apart
 from swifttailor.progress import StageProgress
 from swifttailor.tailor.answer import Answer
 from swifttailor.tailor.protocols import Sewer
@@ -28,6 +29,7 @@ from swifttailor.tailor.tailored import Tailored
 from swifttailor.tailor.verdict import Verdict
 from swifttailor.tailor.worn_shoulders import SLIPS, slips_off
 from swifttailor.wishes.looks.flecks import flecked
+from swifttailor.wishes.looks.naps import napped, puffed
 from swifttailor.wishes.looks.ribs import ribbed
 from swifttailor.wishes.looks.satin import SATIN, is_satin
 
@@ -315,6 +317,10 @@ def _handed_over(garment: Garment, answer: Answer, predicted: Any, body: Body | 
         color = wanted.color or cloth_color(garment.pattern)
         woven = None if wanted.heard.ribs is None else ribbed(color, wanted.heard.ribs)
         woven = flecked(color) if wanted.heard.is_flecked else woven
+        if QUILTING in garment.pattern.trims:
+            woven = puffed(color, lines_apart(garment.pattern))
+        elif wanted.heard.nap is not None:
+            woven = napped(color, wanted.heard.nap)
         looks = tuple([look for look in wanted.looks if has_part(garment.pattern, look.part)])
         garment = replace(garment, color=wanted.color, print=wanted.print or woven, looks=looks)
         if garment.cloth == "silk" and wanted.heard.words is not None and is_satin(wanted.heard.words):

@@ -16,6 +16,7 @@ from swifttailor.wishes.drafts.heard_drafts import drafts_of
 from swifttailor.wishes.looks.flecks import is_flecked
 from swifttailor.wishes.looks.heard_looks import NO_LOOKS, HeardLooks, heard_looks
 from swifttailor.wishes.looks.heard_print import asks_for_plain, heard_print
+from swifttailor.wishes.looks.naps import nap_of
 from swifttailor.wishes.looks.ribs import ribs
 from swifttailor.wishes.reader import Wish
 from swifttailor.wishes.text.lexicon_spelling import near_names
@@ -105,6 +106,11 @@ class Heard:
     def ribs(self) -> tuple[float, float] | None:
         """Widths of the ribs of its cloth and between them, cm; None of cloth without, or with a print."""
         return None if self.words is None or self.print is not None else ribs(self.words)
+
+    @property
+    def nap(self) -> str | None:
+        """What face its cloth has, as a motif; None of cloth without, or with a print."""
+        return None if self.words is None or self.print is not None else nap_of(self.words)
 
     @property
     def is_flecked(self) -> bool:

@@ -8,14 +8,26 @@ import numpy as np
 
 from swifttailor.arrays import Floats
 from swifttailor.pattern.panel import Panel
+from swifttailor.pattern.pattern import Pattern
 from swifttailor.pattern.trims.chalk import Chalk
 from swifttailor.pattern.trims.shapes import Patch, Trim
 
-_APART, _HALF, _INSIDE = 8.5, 0.14, 0.6
-"""Distance of the lines, half their width, and what stays free beside the outline, cm."""
+APART = 8.5
+"""Distance of the lines, cm."""
+_HALF, _INSIDE = 0.14, 0.6
+"""Half their width, and what stays free beside the outline, cm."""
 _SHORTEST = 3.0
 """Shorter lines are left out, cm."""
 _QUILTED = re.compile(r"(left|right)_(ftorso|btorso|sleeve_[fb])|skirt_(front|back)")
+
+
+QUILTING = "quilting"
+"""Its name among trims."""
+
+
+def lines_apart(pattern: Pattern) -> float:
+    """Distance of the lines on a garment, cm: as for its wearer."""
+    return APART * Chalk(pattern).size
 
 
 def quilted(chalk: Chalk, name: str) -> list[Trim]:
@@ -28,8 +40,9 @@ def quilted(chalk: Chalk, name: str) -> list[Trim]:
         axis = _along(panel, outline)
         across = np.array([-axis[1], axis[0]])
         high = outline @ axis
-        first = high.max() - _APART * chalk.size
-        for at in np.arange(first, high.min() + 3.0, -_APART * chalk.size):
+        # From below, as prints are: so the cushions that are drawn between lie (`garment.cloth_print`).
+        step = APART * chalk.size
+        for at in np.arange(high.min() + step, high.max() - _SHORTEST, step):
             for begins, ends in _clear(outline, axis, across, float(at)):
                 if ends - begins < _SHORTEST:
                     continue
@@ -46,6 +59,8 @@ def _along(panel: Panel, outline: Floats) -> Floats:
         return up / max(float(np.linalg.norm(up)), 1e-6)
     middle = outline - outline.mean(axis=0)
     axis = np.linalg.eigh(middle.T @ middle)[1][:, 1]
+    axis = np.round(axis / np.abs(axis).max())  # along the grain
+    axis = axis if np.abs(axis).sum() == 1.0 else np.array([0.0, 1.0])
     up = panel.placement.matrix()[1, :2]
     return axis if axis @ up >= 0 else -axis
 

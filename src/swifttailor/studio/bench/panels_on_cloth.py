@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from swifttailor.arrays import Array
+from swifttailor.panel_mesh.cloth_places import shifts_across
 from swifttailor.panel_mesh.pattern_mesh import PatternMesh
 from swifttailor.panel_mesh.uv_layout import cut_from_cloth
 
@@ -20,6 +21,7 @@ def panels_on_cloth(mesh: PatternMesh) -> list[list[float]]:
     """
     panel, count = mesh.flat_panel, len(mesh.pattern.panels)
     flat, at = np.asarray(mesh.flat_vertices, np.float64), cut_from_cloth(mesh)
+    at[:, 0] += shifts_across(mesh, at)[panel]
     corners = np.maximum(np.bincount(panel, minlength=count), 1)[:, None]
     middle, there = _sums(flat, panel, count) / corners, _sums(at, panel, count) / corners
     own, its = flat - middle[panel], at - there[panel]

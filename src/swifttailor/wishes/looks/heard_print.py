@@ -3,45 +3,24 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 
 from swifttailor.garment.cloth_print import KINDS, ClothPrint
+from swifttailor.wishes.looks.print_inks import (
+    DARK,
+    FIGURES,
+    LIGHT,
+    brightness,
+    contrast,
+    mixed,
+    motif_inks,
+    tartan_inks,
+    tonal_check,
+    usual_inks,
+)
 from swifttailor.wishes.text.mentions import find_mentions
 from swifttailor.wording.lexicon import WordMark, WordReading
 
-_LIGHT, _DARK, _INK = "#f4f1e8", "#1f2a44", "#a8443c"
-_USUAL_COLORS = {
-    "flowers": ("#f4f1e8", "#b0485a", "#d9a0a8", "#5f8a5a"),
-    "leaves": ("#f4f1e8", "#3f6b46", "#7fa070", "#c2a25c"),
-    "spots": ("#cfa56b", "#35261a", "#8a6238", "#5b4127"),
-    "blotches": ("#6f7758", "#3c4530", "#a89e76", "#2b2b23"),
-    "hearts": ("#f6f1ea", "#c8354a"),
-    "stars": ("#1f2a44", "#e9c85c"),
-    "moons": ("#1f2a44", "#e9dfb4", "#e9c85c"),
-    "bolts": ("#f4f1e8", "#e2b32c"),
-    "cherries": ("#f6f1e6", "#b3202c", "#3f7a3c"),
-    "strawberries": ("#f6f1e6", "#c92f38", "#3f7a3c", "#f3dfa0"),
-    "lemons": ("#f4f1e8", "#f0cf3a", "#4f8a48", "#fbeea0"),
-    "mushrooms": ("#dfe5d0", "#b8332c", "#f6efe0"),
-    "foxes": ("#dfe6e2", "#d0702c", "#f8f2e6", "#33261f"),
-    "cats": ("#f1e6dc", "#3a3a42", "#e9d27a", "#d98a94"),
-    "bears": ("#dbe6ee", "#9a6b45", "#e6c9a4", "#33261f"),
-    "rabbits": ("#cfdfe6", "#f8f4ee", "#e6a8ae", "#4a3d3a"),
-    "birds": ("#f2eee2", "#3d6f96", "#a9c8d8", "#d38a34"),
-    "butterflies": ("#f4f0e8", "#d8763a", "#f0b85a", "#33261f"),
-    "bees": ("#eef2ea", "#efc03a", "#c9d8e2", "#2b2622"),
-    "fishes": ("#e4eef0", "#3f86a8", "#e79a5a"),
-    "dinosaurs": ("#f1ede0", "#5f9a5c", "#e2b64a"),
-    "anchors": ("#f4f1e8", "#1f2a44"),
-    "boats": ("#e6eef2", "#1f2a44", "#ffffff", "#c8354a"),
-    "splatters": ("#f4f1e8", "#2f6fae", "#d8453a", "#efc03a"),
-    "plaid": ("#a3262e", "#20402f", "#e2c860"),
-}
-"""What such a print has where no colour is named."""
-_PICTURED = frozenset(_USUAL_COLORS) - {"flowers", "leaves", "spots", "blotches", "plaid"}
-"""Figures that keep their own colours on whatever ground: foxes are red on blue."""
-_LIGHT_FROM = 190.0
-"""Brightness from which a colour counts as light, 0 to 255."""
 _ON = re.compile(r"(?<!\w)(?:on|against|auf|sur|sobre|su|op|em)(?:\s+(?:a|an|the))?\s*$", re.IGNORECASE)
 _WITH = re.compile(r"(?<!\w)(?:with|mit|avec|à|con|in|met|com)\s*$", re.IGNORECASE)
 _ACROSS = re.compile(
@@ -62,10 +41,30 @@ _STRIPED_DOWN = frozenset(
 """Drafts of garments whose stripes run down, where no more is said of them; knitted ones are hooped."""
 _SHIRTING_CM = 1.2
 """So wide are stripes of shirts and trousers, where no more is said of them."""
-_SEQUINS, _GLINT = "embroidery", 0.4
-"""What sequins are in `cannot.txt`, and how much of white is in their glints."""
+_TARTANS = re.compile(
+    r"tartan|clan|scot|royal|black ?watch|burberry|glen|prince|pow|window|tattersall|grid|graph|madras", re.I
+)
+"""Names of checks that are of three colours or more; others of two colours have these alone."""
+_FIGURED = re.compile(
+    r"[\s-]*(?:patterns?|patterning|motifs?|designs?|ornaments?|Mustern?|brocade pattern)(?!\w)",
+    re.IGNORECASE,
+)
+_FIGURED_BEFORE = re.compile(
+    r"(?<!\w)(?:motifs?|dessins?|motivos?|estampados?|dibujos?|disegni|motivi|fantasia|padrão|padrões|patroon)\s+$",
+    re.IGNORECASE,
+)
+_FIGURES_OF_COLOR = "medallions"
+_OF_CLOTH = re.compile(r"(?:check|checks|checked|checky|chequered|checkered|check pattern)", re.IGNORECASE)
+"""Names of checks that, on cloth for suits and coats, are shades of one colour."""
+_TAILORED = frozenset("blazer waistcoat trousers coat".split())
+_SUITING_CM = 6.0
+_LEAST_APART = 45.0
+"""Difference in brightness of two colours from which one is seen on the other, 0 to 255."""
+_BUFFALO_CM = 4.5
+"""So wide are the squares of checks of two colours on lumberjack shirts and the like."""
 _BEHIND = 24
 """Characters behind the name of a print in which its size may stand."""
+_VAGUE = frozenset("print prints printed patterned patterning mixed".split()) | {"a print", "all over print"}
 _SIZE = {"stripes": ("width", "gap"), "checks": ("width",), "plaid": ("spacing",), "motif": ("repeat",)}
 
 
@@ -76,9 +75,11 @@ def heard_print(text: str, words: WordReading) -> ClothPrint | None:
         text: That the lexicon has read.
         words: By the lexicon.
     """
-    mark = next((m for m in words.marks if not m.denied and _kind(m) in KINDS), None)
-    if mark is None:
-        return None
+    marks = [m for m in words.marks if not m.denied and _kind(m) in KINDS]
+    if not marks:
+        return _in_color(text, words)
+    # What is said of the print itself goes before what names of garments mean, "leopard" before "print".
+    mark = min(marks, key=_vagueness)
     named = next(entry.print for entry in mark.entries if entry.print is not None)
     sizes = dict(named.sizes) | _stated_sizes(text, mark, named.kind)
     if named.kind == "stripes" and "angle" not in sizes and _is_striped_down(words):
@@ -86,8 +87,19 @@ def heard_print(text: str, words: WordReading) -> ClothPrint | None:
     turned = next((angle for words_, angle in _DIRECTIONS if words_.search(text)), None)
     if turned is not None and named.kind in ("stripes", "checks", "plaid"):
         sizes["angle"] = turned
-    colors = _colors(text, words, mark, named.kind, tuple(f"#{ink}" for ink in named.inks))
-    return ClothPrint(named.kind, colors, sizes, named.motif or "shapes")
+    colors = _named_colors(text, words, mark, named.kind)
+    if named.kind == "plaid" and len(colors) == 2 and not _TARTANS.search(mark.word):
+        width = sizes.get("spacing", _BUFFALO_CM * 2) / 2
+        return ClothPrint("checks", tuple(colors), _without(sizes, "spacing") | {"width": width})
+    if named.kind == "checks" and len(colors) == 1 and _OF_CLOTH.fullmatch(mark.word) and _is_tailored(words):
+        spacing = 2.0 * sizes["width"] if sizes["width"] != dict(named.sizes)["width"] else _SUITING_CM
+        return ClothPrint("plaid", tonal_check(colors[0]), _without(sizes, "width") | {"spacing": spacing})
+    if named.kind == "checks" and any(_kind(m) == "plaid" for m in marks):
+        sizes["width"] = max(sizes["width"], _BUFFALO_CM)
+    inks = tuple([f"#{ink}" for ink in named.inks])
+    return ClothPrint(
+        named.kind, _colors(named.kind, named.motif, colors, inks), sizes, named.motif or "shapes"
+    )
 
 
 def asks_for_plain(words: WordReading) -> bool:
@@ -106,7 +118,7 @@ def print_line(found: ClothPrint) -> str:
         "dots": f"{2 * found.size('radius'):g} cm wide, {found.size('spacing'):g} cm apart",
         "motif": f"repeated after {found.size('repeat'):g} cm",
     }[found.kind]
-    name = found.motif if found.kind == "motif" else found.kind
+    name = found.motif.replace("_", " ") if found.kind == "motif" else found.kind
     shown = f"{name}{way if found.kind == 'stripes' else ''}"
     return f"{shown}, {sizes}, {' and '.join(found.colors)}"
 
@@ -128,8 +140,34 @@ def _unlike(sizes: Mapping[str, float], kind: str) -> dict[str, float]:
     return {name: value for name, value in sizes.items() if value != usual.size(name)}
 
 
-def _motif(mark: WordMark) -> str:
-    return next((e.print.motif or "" for e in mark.entries if e.print is not None), "")
+def _in_color(text: str, words: WordReading) -> ClothPrint | None:
+    """Figures of a colour on cloth of another, of which no more is said: "red with gold pattern"."""
+    named = [f"#{color.rgb}" for color in words.colors]
+    for color, m in zip(named, words.color_marks, strict=True):
+        behind, before = text[m.end :], text[: m.start]
+        if not m.denied and (_FIGURED.match(behind) or _FIGURED_BEFORE.search(before)):
+            others = [one for one in named if one != color]
+            ground = others[0] if others else contrast(color)
+            return ClothPrint("motif", motif_inks(_FIGURES_OF_COLOR, [ground, color]), {}, _FIGURES_OF_COLOR)
+    return None
+
+
+def _vagueness(mark: WordMark) -> int:
+    """0 of what names a print, 1 of "printed", 2 of garments that usually have one."""
+    if not any(entry.category == "prints" for entry in mark.entries):
+        return 2
+    return int(mark.word.lower() in _VAGUE or mark.word.lower().startswith("with "))
+
+
+def _without(sizes: Mapping[str, float], name: str) -> dict[str, float]:
+    return {one: value for one, value in sizes.items() if one != name}
+
+
+def _is_tailored(words: WordReading) -> bool:
+    """Whether a text names cloth of wool, or first a garment that is made of such."""
+    marks = [m for m in words.marks if m.role == "garment" and not m.denied]
+    drafts = {draft.name for entry in marks[0].entries for draft in entry.drafts} if marks else set()
+    return "wool" in words.cloths or not _TAILORED.isdisjoint(drafts)
 
 
 def _stated_sizes(text: str, mark: WordMark, kind: str) -> dict[str, float]:
@@ -144,40 +182,39 @@ def _stated_sizes(text: str, mark: WordMark, kind: str) -> dict[str, float]:
     return {}
 
 
-def _colors(
-    text: str, words: WordReading, mark: WordMark, kind: str, inks: tuple[str, ...]
-) -> tuple[str, ...]:
+def _named_colors(text: str, words: WordReading, mark: WordMark, kind: str) -> list[str]:
+    """The colours that a text names, the ground of dots and motifs first, that of others last."""
     marks = words.color_marks
     named = [f"#{color.rgb}" for color in words.colors]
-    ground = next((c for c, m in zip(named, marks, strict=True) if _ON.search(text[: _start(text, m)])), None)
-    usual = _USUAL_COLORS.get(_motif(mark) if kind == "motif" else kind, ())
+    on = [c for c, m in zip(named, marks, strict=True) if _ON.search(text[: _start(text, m)])]
+    figured = kind in ("dots", "motif")
+    if on:
+        others = [color for color in named if color != on[0]]
+        return [on[0], *others] if figured else [*others, on[0]]
+    if len(named) == 1 and figured and _is_of_figures(text, marks[0], mark):
+        return [LIGHT, named[0]]
+    return named
+
+
+def _colors(kind: str, motif: str | None, named: list[str], inks: tuple[str, ...]) -> tuple[str, ...]:
+    usual = usual_inks((motif or "") if kind == "motif" else kind)
     if not named and not inks and usual:
         return usual
-    if not named:
-        named = list(inks) if len(inks) > 1 else [_LIGHT, _DARK]
-    elif ground is not None:
-        others = [color for color in named if color != ground]
-        named = [ground, *others] if kind in ("dots", "motif") else [*others, ground]
-    elif len(named) == 1 and kind in ("dots", "motif") and _is_of_figures(text, marks[0], mark):
-        named = [_LIGHT, named[0]]
-    if len(named) == 1 and len(inks) > 1:  # a red hi-vis vest has silver bands
-        named.append(_mixed("#ffffff", named[0], _GLINT) if _glints(mark) else inks[1])
-    if len(named) == 1:
-        named.append(_LIGHT if _brightness(named[0]) < _LIGHT_FROM else _DARK)
-    if kind == "plaid" and len(named) == 2:
-        named.append(_LIGHT if _brightness(named[0]) < _LIGHT_FROM else _INK)
-    if _motif(mark) in _PICTURED and kind == "motif":
-        figures = usual[1:] if len(marks) == 1 and named[0] != _LIGHT else (named[1], *usual[2:])
+    if not named and len(inks) > 1:
+        return inks if kind == "motif" else inks[: 3 if kind == "plaid" else 2]
+    if kind == "motif" and motif is not None:
+        named = named or [*inks, LIGHT, DARK]
+        if motif not in FIGURES:
+            return motif_inks(motif, named)
+        figures = usual[1:] if len(named) == 1 else (named[1], *usual[2:])
         return (named[0], *figures)
-    if kind == "motif":
-        while len(named) < 4:
-            named.append(_mixed(named[0], named[1], 0.35 * (len(named) - 1)))
-    return tuple(named[:4] if kind == "motif" else named[:3] if kind == "plaid" else named[:2])
-
-
-def _glints(mark: WordMark) -> bool:
-    """Whether it names sequins, which glint in the colour that they have."""
-    return any(_SEQUINS in entry.cannot for entry in mark.entries)
+    if kind == "plaid":
+        return tartan_inks(named or [LIGHT, DARK])
+    named = named or [LIGHT, DARK]
+    if len(named) == 1 and len(inks) > 1:  # a red hi-vis vest has silver bands
+        near = abs(brightness(inks[1]) - brightness(named[0])) < _LEAST_APART
+        named.append(mixed(LIGHT, named[0], 0.6) if near else inks[1])
+    return (*named, contrast(named[0]))[:2]
 
 
 def _start(text: str, mark: WordMark) -> int:
@@ -190,15 +227,3 @@ def _is_of_figures(text: str, color: WordMark, mark: WordMark) -> bool:
     """Whether a colour is that of the dots: "with red dots", and not "a red dotted dress"."""
     beside = color.end <= mark.start and not text[color.end : mark.start].strip()
     return beside and _WITH.search(text[: _start(text, color)]) is not None
-
-
-def _brightness(color: str) -> float:
-    red, green, blue = (int(color[k : k + 2], 16) for k in (1, 3, 5))
-    return 0.3 * red + 0.59 * green + 0.11 * blue
-
-
-def _mixed(one: str, other: str, share: float) -> str:
-    parts: Sequence[float] = [
-        (1 - share) * int(other[k : k + 2], 16) + share * int(one[k : k + 2], 16) for k in (1, 3, 5)
-    ]
-    return "#" + "".join([f"{round(part):02x}" for part in parts])

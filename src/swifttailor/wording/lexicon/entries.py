@@ -76,6 +76,12 @@ MOTIFS = (
         "boats",
         "splatters",
     ),
+    *("cranes", "elephants", "dogs", "horses", "flamingos", "owls", "turtles", "pineapples", "skulls"),
+    *("snowflakes", "crosses"),
+    *("leopard", "zebra", "tiger", "giraffe", "cowhide", "dalmatian", "scales", "crocodile"),
+    *("tie_dye", "batik", "marble", "clouds", "bleach", "ikat"),
+    *("palms", "paisley", "lozenges", "argyle", "patchwork", "serape", "medallions", "waves", "triangles"),
+    *("curls", "cables", "sequins", "pile", "foil", "channels", "fur"),
 )
 _SIZES = ("width", "gap", "angle", "spacing", "radius", "repeat")
 _PRINT_MARKS = (*_SIZES, "motif", "inks")
