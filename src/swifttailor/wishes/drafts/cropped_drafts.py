@@ -13,10 +13,10 @@ _LOOSE = frozenset({"easy", "loose", "oversized"})
 _CROPPED: Mapping[str, tuple[str, Mapping[str, float]]] = {
     **dict.fromkeys(
         ("denim-jacket", "bomber-jacket", "sweatshirt", "hoodie"),
-        ("chest_ease", {"cropped": 1.0, "waist": 4.0}),
+        ("chest_ease", {"cropped": 3.5, "waist": 5.5}),
     ),
     **dict.fromkeys(
-        ("t-shirt", "shirt", "turtleneck", "tank-top"), ("chest_ease", {"cropped": -5.0, "waist": 0.0})
+        ("t-shirt", "shirt", "turtleneck", "tank-top"), ("chest_ease", {"cropped": -2.0, "waist": 1.0})
     ),
 }
 """Where the hems of drafts are that are asked to end above the hips, cm below the waist, and their room."""

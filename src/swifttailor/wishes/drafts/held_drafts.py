@@ -29,11 +29,11 @@ _ON_SHOULDERS: Mapping[Skirt, str] = {
 _WITHOUT: Mapping[Hold, str] = {"straps": "strappy-dress", "waist": "strapless-dress"}
 _GATHERS = 2.0
 """Width of a gathered skirt over the waist."""
-_FLAGS: Mapping[Skirt, tuple[tuple[str, bool], ...]] = {
+_FLAGS: Mapping[Skirt, tuple[tuple[str, bool | float], ...]] = {
     "circle": (),
     "gathered": (),
     "close": (("fitted", True),),
-    "flounce": (("flounce", True),),
+    "flounce": (("flounce", True), ("close", 54.0), ("skirt_fraction", 0.8)),
 }
 """What makes the skirt of a dress without shoulders."""
 _OF_SKIRT: Mapping[Skirt, tuple[str, ...]] = {
