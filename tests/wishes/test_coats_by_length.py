@@ -10,10 +10,13 @@ from swifttailor.wishes.descriptions.coats_by_length import coats_by_length
 @pytest.mark.parametrize(
     ("text", "read"),
     [
-        ("teddy bear coat brown, really short", "teddy bear jacket brown, waist length"),
+        ("teddy bear coat brown, really short", "teddy bear jacket brown, to the high hip"),
         ("short black wool coat", "black wool jacket, to the high hip"),
-        ("red puffer jacket short with a high collar", "red puffer jacket, to the high hip with a high collar"),
-        ("very short puffer jacket", "puffer jacket, waist length"),
+        (
+            "red puffer jacket short with a high collar",
+            "red puffer jacket, to the high hip with a high collar",
+        ),
+        ("very short puffer jacket", "puffer jacket, to the high hip"),
         ("blazer, quite short", "blazer, to the high hip"),
         ("three quarter length camel overcoat", "knee length camel overcoat"),
         ("3/4 coat, navy", "knee length coat, navy"),

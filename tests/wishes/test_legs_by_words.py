@@ -36,7 +36,12 @@ def test_they_reach_the_floor(text):
 
 
 @pytest.mark.parametrize(
-    "text", ["flared jeans, long enough for heels", "flares to wear over heels", "long enough to cover my high heels"]
+    "text",
+    [
+        "flared jeans, long enough for heels",
+        "flares to wear over heels",
+        "long enough to cover my high heels",
+    ],
 )
 def test_flares_over_heels_reach_the_floor(text):
     assert length(legs_as_said(NamedDraft("flares"), text, (), ())) == 106.0

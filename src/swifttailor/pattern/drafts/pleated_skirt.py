@@ -126,7 +126,9 @@ class _Half:
     def lay(self, table: CuttingTable, k: int, top_y: float, *, under: bool = False) -> None:
         """Lays strip `k`, or what is folded away between it and the one before."""
         length, hidden = self.shape.length, k > 0
-        depth = min(self.shape.depth, _DEEPEST * self.top / self.shape.strips_of(self.face)) if hidden else 0.0
+        depth = (
+            min(self.shape.depth, _DEEPEST * self.top / self.shape.strips_of(self.face)) if hidden else 0.0
+        )
         drop = _TUCK_DROP_CM if hidden else 0.0
         left = (self._fold(k, drop) - depth, -drop)
         below = self._fold(k, length) - depth

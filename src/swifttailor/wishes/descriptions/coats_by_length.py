@@ -1,4 +1,4 @@
-"""Lengths as they are meant of coats and jackets: a short coat is a jacket, a three-quarter one ends at the knee.
+"""Lengths as they are meant of coats: a short one is a jacket, a three-quarter one ends at the knee.
 
 The same words say something else of skirts and tops: a short skirt bares the thighs, a short top the waist.
 """
@@ -11,9 +11,11 @@ from swifttailor.wording.lexicon import read_words
 
 _CLOTH_COAT = r"(?:over|top)?coat"
 _SHORT_ONES = rf"(?:{_CLOTH_COAT}|trench(?: ?coat)?|jacket|puffer|blazer|anorak)"
-_VERY = r"(?P<very>(?:really|very|super|extra|extremely|ultra|so) )?"
+_VERY = r"(?:(?:really|very|super|extra|extremely|ultra|so) )?"
 _SHORT = rf"(?:(?:quite|pretty|fairly|rather|nice and|kind of|a bit) )?{_VERY}(?:short|shortish|shorter)"
-_OF_PARTS = r"(?! ?-?(?:sleeve|arm|zip|collar|leg|pile|nap|hair|fur|lapel|belt|in|at|on|notice|person|woman|man)\w*)"
+_OF_PARTS = (
+    r"(?! ?-?(?:sleeve|arm|zip|collar|leg|pile|nap|hair|fur|lapel|belt|in|at|on|notice|person|woman|man)\w*)"
+)
 _WORD = (
     r"(?:(?!(?:for|my|i|im|am|is|who|she|he|we|with|not|too|no|but|or|sleeves?|sleeved|zip|skirt|dress"
     r"|trousers|top|shorts|coats?|jackets?)\b)[\w'-]+)"
@@ -24,7 +26,8 @@ _BEFORE = re.compile(
     re.IGNORECASE,
 )
 _BEHIND = re.compile(
-    rf"(?<![\w-])(?P<name>(?:{_WORD} )?{_SHORT_ONES}(?!\w)(?! (?:dress|skirt|coat|jacket))(?:[ ,]+{_WORD}){{0,5}}?)"
+    rf"(?<![\w-])(?P<name>(?:{_WORD} )?{_SHORT_ONES}(?!\w)(?! (?:dress|skirt|coat|jacket))"
+    rf"(?:[ ,]+{_WORD}){{0,5}}?)"
     rf"[ ,]+(?:(?:but|and|cut|kept|it'?s|to be|should be) )*{_SHORT}{_OF_PARTS}(?: length)?(?!\w)"
     r"(?= *(?:[.,;!?]|$|with\b|and\b|but\b|please\b))",
     re.IGNORECASE,
@@ -35,7 +38,8 @@ _THREE_QUARTERS = re.compile(
     re.IGNORECASE,
 )
 _COAT = re.compile(
-    r"(?<![\w-])(?:(?:over|top|trench|rain|great|pea)?coat|parka|mac|mackintosh|duster)(?!\w)(?! (?:dress|skirt))",
+    r"(?<![\w-])(?:(?:over|top|trench|rain|great|pea)?coat|parka|mac|mackintosh|duster)(?!\w)"
+    r"(?! (?:dress|skirt))",
     re.IGNORECASE,
 )
 
@@ -51,9 +55,8 @@ def coats_by_length(text: str) -> str:
     found = _BEFORE.search(text) or _BEHIND.search(text)
     if found is None:
         return text
-    end = "waist length" if found["very"] else "to the high hip"
     name = re.sub(rf"(?<![\w-]){_CLOTH_COAT}(?!\w)", "jacket", found["name"], flags=re.IGNORECASE)
     comma = "," if found.re is _BEFORE and text[found.end() :].startswith(" ") else ""
-    put = f"{text[: found.start()]}{name}, {end}{comma}{text[found.end() :]}"
+    put = f"{text[: found.start()]}{name}, to the high hip{comma}{text[found.end() :]}"
     kinds = {i.claim.value for i in read_words(put).implications if i.claim.name == "kind"}
     return put if kinds == {"top"} else text

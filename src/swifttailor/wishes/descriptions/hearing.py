@@ -278,7 +278,9 @@ def _within_names(network: Sequence[Wish], words: WordReading) -> list[Wish]:
 
 _BESIDE = re.compile(r"\b(?:something|anything|outfit|with|over|under\w*|like|match\w*|for)\b", re.IGNORECASE)
 _SLITS = re.compile(r"slit|split|vent|\bcuts?\b|slash|open|gap|pleat|walk", re.IGNORECASE)
-_WAISTS = re.compile(r"waist|empire|bust|breast|bosom|chest|rib|hip|seam|drop|flapper|1920|20s|join|belly|tummy|bump", re.I)
+_WAISTS = re.compile(
+    r"waist|empire|bust|breast|bosom|chest|rib|hip|seam|drop|flapper|1920|20s|join|belly|tummy|bump", re.I
+)
 _FEW_WORDS, _NO_STORY = 5, 9
 _NAMES_THINGS = ("garments", "accessories", "generic")
 _WHOLE_KINDS = frozenset({"dress", "jumpsuit", "playsuit"})

@@ -1,6 +1,6 @@
 """Skirts that a text calls huge, poofy or those of a ball gown: cut from one and a half circles.
 
-Gathers alone do not make a skirt stand out: they pull its cloth together at the waist, and it hangs from there.
+Gathers alone do not make a skirt stand out: cloth that they pull together hangs down from the waist.
 """
 
 from __future__ import annotations
@@ -16,9 +16,12 @@ _HUGE = (
     r"|big|bouffant|extra[- ]full|(?:very|really|super|so|extremely) (?:full|wide|big))"
 )
 _SAID = re.compile(
-    rf"(?<!\w)(?<!no )(?<!not )(?:{_HUGE},? (?:(?!sleeves?|bows?|collar|pockets?|and )[\w'-]+,? ){{0,3}}?skirts?"
-    rf"|skirts?(?: (?:that|which|part|is|should|be|to|really|all|so|very|super))*,? {_HUGE}(?! (?:sleeve|bow|collar|pocket))"
-    r"|ball ?gowns?|ball ?gown skirts?|ball skirts?|(?:like|for) (?:a |my little )?princess|princess(?:[- ]style)? (?:dress|gown|skirt)"
+    rf"(?<!\w)(?<!no )(?<!not )(?:{_HUGE},? "
+    r"(?:(?!sleeves?|bows?|collar|pockets?|and )[\w'-]+,? ){0,3}?skirts?"
+    rf"|skirts?(?: (?:that|which|part|is|should|be|to|really|all|so|very|super))*,? {_HUGE}"
+    r"(?! (?:sleeve|bow|collar|pocket))"
+    r"|ball ?gowns?|ball ?gown skirts?|ball skirts?|(?:like|for) (?:a |my little )?princess"
+    r"|princess(?:[- ]style)? (?:dress|gown|skirt)"
     r"|cinderella|quincea[nñ]era|meringue|crinoline|hoop skirts?)(?!\w)",
     re.IGNORECASE,
 )

@@ -34,7 +34,8 @@ _DRAGGING_CM = 113.0
 _TO_FLOOR = re.compile(
     r"(?<!\w)(?:(?:to|reach(?:es|ing)?|touch(?:es|ing)?|skim(?:s|ming)?|brush(?:es|ing)?|graz(?:es|ing|e)"
     r"|sweep(?:s|ing)?) the (?:floor|ground)|floor[- ](?:length|skimming|sweeping|grazing)"
-    r"|cover(?:s|ing)? (?:my|the) (?:shoes|feet|heels)|long enough (?:for|to (?:go with|wear with|cover|go over))"
+    r"|cover(?:s|ing)? (?:my|the) (?:shoes|feet|heels)"
+    r"|long enough (?:for|to (?:go with|wear with|cover|go over))"
     r" (?:my |the |high )*heels|(?:worn |to go |to wear )over (?:my |the |high )*heels|heel[- ]length"
     r"|bodenlang|bis (?:zum|auf den) boden|jusqu['’ ]au sol|hasta el suelo)(?!\w)",
     re.IGNORECASE,

@@ -12,7 +12,12 @@ from swifttailor.pattern.drafts.figure import Figure
 from swifttailor.pattern.drafts.fitted_skirt import FittedSkirt, lay_fitted_skirt
 from swifttailor.pattern.drafts.flared_skirt import SHORTEST_FLOUNCE, lay_flared_skirt, lay_flounce
 from swifttailor.pattern.drafts.halter_bodice import HalterBodice, lay_halter_bodice, sew_strap
-from swifttailor.pattern.drafts.joins import SKIRT_HALVES, SKIRT_WHOLE, sew_skirt_to_bodice, sew_trousers_to_bodice
+from swifttailor.pattern.drafts.joins import (
+    SKIRT_HALVES,
+    SKIRT_WHOLE,
+    sew_skirt_to_bodice,
+    sew_trousers_to_bodice,
+)
 from swifttailor.pattern.drafts.measurements import Measurements
 from swifttailor.pattern.drafts.neckline import Neckline
 from swifttailor.pattern.drafts.off_shoulder_bodice import OffShoulderBodice, lay_off_shoulder_bodice
