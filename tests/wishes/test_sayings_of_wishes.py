@@ -29,6 +29,7 @@ def reader() -> WishReader:
         ),
         ("mermaid gown, tight to the knees and then it goes out", {"skirt_hem=floor", "skirt=fitted base"}),
         ("skirt, fitted down to the knee, then kicks out", {"skirt=fitted base"}),
+        ("a long gown fitted to the knee, then it flares out", {"skirt=fitted base"}),
         ("shorts that end just over the knee", {"leg_hem=knee"}),
         ("a slim skirt", {"skirt=straight"}),
         ("a gown with sleeves like angel wings", {"sleeve_shape=bell"}),
