@@ -60,6 +60,8 @@ def cropped_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     if own.get("waist_shaping") and 0.0 <= asked[0] <= float(own.get("length", 99.0)) <= SHAPED_TO_CM:
         return draft
     options = {**own, "length": asked[0]}
+    if asked[0] == lengths["cropped"] and float(own.get("length", 0.0)) < 0:  # so by name: a sports bra
+        options["length"] = min(asked[0], float(own["length"]))
     if draft.name == "turtleneck" and float(own.get(room, 0.0)) >= _OVER_OTHERS_CM:
         options["length"] = asked[0] + _LIFTED_CM
     if options.get(ARMHOLE) == "cut-in-one":

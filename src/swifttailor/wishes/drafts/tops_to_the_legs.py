@@ -25,7 +25,6 @@ _OTHERS = re.compile(
 )
 """What is said to be so long instead."""
 _LENGTH, _LONG_CM = "length", 30.0
-"""Tops that are shorter by name end at the thigh where that is said; at the knee something else does."""
 _FROM_THE_SHOULDER = ("t-shirt", "tank-top", "shirt", "turtleneck", "camisole")
 _OPEN: Mapping[str, float] = {
     "cardigan": 60.0,
@@ -56,8 +55,9 @@ def to_the_legs_as_said(draft: NamedDraft, text: str, *, long: bool = False) -> 
     options = dict(draft.options)
     if draft.name not in (*_FROM_THE_SHOULDER, *(_OPEN if long else ())):
         return draft
-    short = not long and float(str(options.get(_LENGTH, 0.0))) < _LONG_CM
-    for words, length in list(_ENDS.items())[: 1 if short else None]:
+    if not long and float(str(options.get(_LENGTH, 0.0))) < _LONG_CM:
+        return draft
+    for words, length in _ENDS.items():
         found = re.search(rf"(?<!\w)(?:{words})(?!\w)", text, re.IGNORECASE)
         if found is not None and not _OTHERS.search(text[: found.start()].lower()):
             length = min(length, _OPEN.get(draft.name, length))
