@@ -39,7 +39,7 @@ SLITS = [Claim("slit", "left"), Claim("slit", "right")]
         (
             "denim-jacket(length=12)",
             [Claim("top_hem", "cropped")],
-            "denim-jacket(length=1;chest_ease=11;hem_band_ease=1)",
+            "denim-jacket(length=3.5;chest_ease=11;hem_band_ease=1)",
         ),
         ("polo-shirt", [STAND], "polo-shirt(collar=standing)"),
         ("shirt", [Claim("fit", "close")], "shirt(waist_shaping=2.5;chest_ease=4)"),
@@ -131,9 +131,13 @@ SLITS = [Claim("slit", "left"), Claim("slit", "right")]
         ("trousers(leg_ease=36;flare=6)", [Claim("legs", "wide")], "trousers(leg_ease=36;flare=6)"),
         ("strapless-dress", [Claim("sleeves", "long")], _SLEEVED_SKATER),
         ("strapless-dress", [Claim("sleeves", "none")], "strapless-dress"),
-        ("strapless-dress", [FLOUNCE], "strapless-dress(flounce=true)"),
-        ("mermaid-dress(close=50)", [BARE], "strapless-dress(close=50;skirt_length=100;flounce=true)"),
-        ("mermaid-dress(close=50)", [Claim("skirt", "flared")], "mermaid-dress(close=50)"),
+        ("strapless-dress", [FLOUNCE], "strapless-dress(flounce=true;close=54;skirt_fraction=0.8)"),
+        (
+            "mermaid-dress(close=50)",
+            [BARE],
+            "strapless-dress(close=50;skirt_length=100;flounce=true;skirt_fraction=0.8)",
+        ),
+        ("mermaid-dress(close=50)", [Claim("skirt", "flared")], "mermaid-dress(close=50;fraction=0.8)"),
         ("skater-dress(skirt_length=62)", [THIN], "strappy-dress(skirt_length=62;skirt_fraction=0.5)"),
         ("skater-dress(skirt_fraction=1)", [Claim("skirt", "flared")], "skater-dress(skirt_fraction=1)"),
         ("skater-dress", [Claim("skirt", "pencil")], "fitted-dress(skirt_length=50)"),
@@ -157,8 +161,8 @@ SLITS = [Claim("slit", "left"), Claim("slit", "right")]
         ("drop-waist-dress", [Claim("sleeves", "none")], "drop-waist-dress"),
         ("shift-dress", [Claim("collar", "stand")], "shift-dress(collar=standing)"),
         ("coat", [Claim("collar", "stand")], "coat(standing=true;collar_height=4.0)"),
-        ("hoodie", [Claim("top_hem", "cropped")], "hoodie(length=1.0;chest_ease=11.0;hem_band_ease=1.0)"),
-        ("fitted-top", [Claim("fit", "loose")], "tank-top(length=-5.0;chest_ease=12.0)"),
+        ("hoodie", [Claim("top_hem", "cropped")], "hoodie(length=6.0;chest_ease=11.0;hem_band_ease=1.0)"),
+        ("fitted-top", [Claim("fit", "loose")], "tank-top(length=-2.0;chest_ease=12.0)"),
         ("shirt-dress", [Claim("skirt", "gathered")], "shirt-dress(gathers=2.0)"),
         ("trousers(length=102;leg_ease=20)", [CUFFED], "trousers(length=102;leg_ease=20)"),
         ("trousers(length=102;leg_ease=20)", [GATHERED_LEGS], "joggers(length=98;leg_ease=20)"),
@@ -218,7 +222,7 @@ def test_what_is_darted_to_the_waist_stays_as_long_and_as_wide_as_it_is():
     darted = NamedDraft.parse("turtleneck(rolled=false;chest_ease=5;length=6;waist_shaping=3)")
     asked = [Claim("top_hem", "waist"), Claim("fit", "close")]
     assert draft_as_asked(darted, asked) == darted
-    assert dict(draft_as_asked(NamedDraft("turtleneck"), asked).options)["length"] == 0.0
+    assert dict(draft_as_asked(NamedDraft("turtleneck"), asked).options)["length"] == 1.0
 
 
 def test_long_legs_are_cut_as_long_as_their_inseam_is_told():

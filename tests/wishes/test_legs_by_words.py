@@ -36,6 +36,19 @@ def test_they_reach_the_floor(text):
 
 
 @pytest.mark.parametrize(
+    "text",
+    [
+        "flared jeans, long enough for heels",
+        "flares to wear over heels",
+        "long enough to cover my high heels",
+    ],
+)
+def test_flares_over_heels_reach_the_floor(text):
+    assert length(legs_as_said(NamedDraft("flares"), text, (), ())) == 106.0
+    assert legs_as_said(NamedDraft("flares"), "flared jeans, worn with heels", (), ()) == NamedDraft("flares")
+
+
+@pytest.mark.parametrize(
     "text", ["trousers, not too long", "wide trousers with extra long sleeves", "long wide trousers"]
 )
 def test_they_do_not(text):

@@ -24,6 +24,8 @@ def reader() -> WishReader:
         ("a linen shirt to the knee", "knee", "shirt"),
         ("a tunic to mid calf", "midi", "t-shirt"),
         ("a jumper down to the knees", "knee", "sweatshirt"),
+        ("an oversized tee to mid thigh", "mini", "t-shirt"),
+        ("a shirt to mid-thigh", "mini", "shirt"),
     ],
 )
 def test_a_top_to_the_knee_is_cut_as_a_dress(reader, text, hem, draft):

@@ -30,6 +30,12 @@ TWO = [
     ("chemise blanche pantalon noir", "chemise blanche", "pantalon noir"),
     ("weißes Hemd schwarze Hose", "weißes Hemd", "schwarze Hose"),
     ("a tunic over leggings", "a tunic", "leggings"),
+    (
+        "green tunic, knee length, with a belt, over brown breeches",
+        "green tunic, knee length, with a belt",
+        "brown breeches",
+    ),
+    ("a shirt, hip length, over a long skirt", "a shirt, hip length", "a long skirt"),
     ("a long coat over wide trousers", "a long coat", "wide trousers"),
     ("velvet bodysuit and flared trousers", "velvet bodysuit", "velvet flared trousers"),
     ("a linen shirt with matching trousers", "a linen shirt", "linen trousers"),

@@ -45,6 +45,20 @@ def test_measures_that_are_said_stand(name, options, said, measure):
     assert well_within([Gain(said), Gain(Claim(measure, 50.0))], facts) == ()
 
 
+@pytest.mark.parametrize("length", [56.0, 68.0])
+def test_hems_at_the_knee_end_at_its_middle(length):
+    pattern = swifttailor.draft("circle-skirt", length=length)
+    said = Gain(Claim("skirt_hem", "knee"))
+    cut = alter(pattern, [said, *well_within([said], measure_facts(pattern))])
+    assert abs(cut.facts.hem.level - cut.facts.body.knee) < 1.0
+
+
+def test_hems_below_the_knee_cover_it():
+    facts = measure_facts(swifttailor.draft("fitted-skirt", length=63.0))
+    (wish,) = well_within([Gain(Claim("skirt_hem", "below the knee"))], facts)
+    assert wish.claim.name == "skirt_length_cm" and 66.0 < wish.claim.value < 70.0
+
+
 def test_wide_legs_are_wider_than_the_thigh():
     facts = measure_facts(swifttailor.draft("trousers"))
     (wish,) = well_within([Gain(Claim("legs", "wide"))], facts)

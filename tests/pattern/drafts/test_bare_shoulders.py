@@ -59,3 +59,10 @@ def test_sleeves_are_eased_into_what_is_left_of_the_armholes(name):
     for side in "fb":
         torso, sleeve = seam_length(pattern, f"left_{side}torso", f"left_sleeve_{side}")
         assert np.isclose(torso, sleeve, rtol=0.03)
+
+
+def test_off_the_shoulder_a_close_skirt_may_end_at_a_flounce():
+    made = draft("off-shoulder-dress", waist_seam=True, flounce=True, length=100.0, skirt_fraction=0.8)
+    facts = measure_facts(made)
+    assert Claim("skirt", "fitted base").holds(facts) and Claim("skirt_hem", "ankle").holds(facts)
+    assert not has_holes(made)

@@ -283,3 +283,9 @@ def test_necklines_of_collars_that_stand_are_closer_than_the_neck_is_wide(collar
     corners = panel.to_world(panel.vertices)
     highest = corners[corners[:, 1].argmax()]
     assert BODY.neck_w / 2 - 0.3 < highest[0] < BODY.neck_w / 2 + 0.3
+
+
+def test_a_kilt_is_flat_in_front_and_pleated_behind():
+    names = {panel.name for panel in draft("pleated-skirt", strips=8, apron=True).panels}
+    assert "skirt_pleat_0_front" in names and not any("under" in n and "front" in n for n in names)
+    assert sum(n.startswith("skirt_pleat") and n.endswith("back") for n in names) == 8

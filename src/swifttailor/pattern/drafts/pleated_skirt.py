@@ -44,6 +44,12 @@ class KnifePleats:
     """Cloth that is folded under each strip, twice, cm; less where strips are narrow."""
     flare: float
     """Width of the hem over that of the waist as it hangs, cm around."""
+    apron: bool = False
+    """Whether the front is flat, in one strip, as of a kilt."""
+
+    def strips_of(self, face: Face) -> int:
+        """Of one face: front or back."""
+        return 1 if self.apron and face == "front" else self.strips
 
 
 def lay_pleated_skirt(
@@ -67,23 +73,30 @@ def lay_pleated_skirt(
     faces: tuple[tuple[Face, float], ...] = (("front", 2 * waist.front), ("back", 2 * waist.back))
     for face, width in faces:
         panel = _Half(face, width, width + wider, shape)
-        for k in range(shape.strips):
+        for k in range(shape.strips_of(face)):
             panel.lay(table, k, top_y)
-        for k in range(1, shape.strips):
+        for k in range(1, shape.strips_of(face)):
             panel.lay(table, k, top_y, under=True)
             before, under, after = panel.name(k - 1), panel.name(k, under=True), panel.name(k)
             table.seam(f"{before}.right", f"{under}.right", folded=True)
             table.seam(f"{under}.left", f"{after}.left", folded=True)
             table.seam(f"{under}.tuck", f"{after}.tuck", folded=True)
-    last = shape.strips - 1
+    front, back = (shape.strips_of(face) - 1 for face in ("front", "back"))
     table.seam("skirt_pleat_0_front.left", "skirt_pleat_0_back.left")
-    table.seam(f"skirt_pleat_{last}_front.right", f"skirt_pleat_{last}_back.right")
+    table.seam(f"skirt_pleat_{front}_front.right", f"skirt_pleat_{back}_back.right")
 
 
-def sew_pleats_to_band(table: CuttingTable, strips: int) -> None:
-    """Sews what is seen of the strips to the lower edge of the waistband."""
+def sew_pleats_to_band(table: CuttingTable, strips: int, *, apron: bool = False) -> None:
+    """Sews what is seen of the strips to the lower edge of the waistband.
+
+    Args:
+        table: Where they lie.
+        strips: Behind, and as many in front.
+        apron: Whether the front is one strip.
+    """
     for face in ("front", "back"):
-        edges = [f"skirt_pleat_{k}_{face}.top" for k in range(strips)]
+        count = 1 if apron and face == "front" else strips
+        edges = [f"skirt_pleat_{k}_{face}.top" for k in range(count)]
         table.seam(f"wb_{face}.bottom", edges if face == "front" else edges[::-1])
 
 
@@ -113,7 +126,9 @@ class _Half:
     def lay(self, table: CuttingTable, k: int, top_y: float, *, under: bool = False) -> None:
         """Lays strip `k`, or what is folded away between it and the one before."""
         length, hidden = self.shape.length, k > 0
-        depth = min(self.shape.depth, _DEEPEST * self.top / self.shape.strips) if hidden else 0.0
+        depth = (
+            min(self.shape.depth, _DEEPEST * self.top / self.shape.strips_of(self.face)) if hidden else 0.0
+        )
         drop = _TUCK_DROP_CM if hidden else 0.0
         left = (self._fold(k, drop) - depth, -drop)
         below = self._fold(k, length) - depth
@@ -140,7 +155,8 @@ class _Half:
 
     def _fold(self, k: int, down: float) -> float:
         """X of fold `k` so far below the waist, cm."""
-        start, end = ((k / self.shape.strips - 0.5) * width for width in (self.top, self.hem))
+        strips = self.shape.strips_of(self.face)
+        start, end = ((k / strips - 0.5) * width for width in (self.top, self.hem))
         return start + (end - start) * down / self.shape.length
 
     def _place(self, left: float, right: float, *, lift: float, inside: float) -> tuple[Floats, float]:

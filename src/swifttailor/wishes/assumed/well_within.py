@@ -25,6 +25,8 @@ SKIRT_FLOOR_CM, SKIRT_FLOOR_AT_LEAST_CM, SKIRT_FLOOR_AT_MOST_CM = 4.5, 3.5, 5.5
 MINI_CM, MINI_AT_MOST_CM = 13.0, 17.0
 """How far below the crotch a mini ends, and what is left as it is."""
 ABOVE_KNEE_CM, ABOVE_KNEE_AT_LEAST_CM = 10.0, 7.0
+KNEE_CM, COVERED_KNEE_CM, COVERED_AT_LEAST_CM = 2.5, -5.0, -3.0
+"""How far from the middle of the knee a hem "at the knee" may be, where one below it ends, and at least."""
 ABOVE_THE_KNEE_CM, SLIT_SHARE = 6.0, 0.8
 """How far above the knee a slit ends, and the part of that height that is left as it is."""
 BELOW_CROTCH_CM, BELOW_CROTCH_AT_MOST_CM = 16.0, 22.0
@@ -133,6 +135,10 @@ def _skirt(words: _Words, names: set[str], facts: GarmentFacts) -> Claim | None:
     elif ("skirt_hem", "above the knee") in words:
         above = facts.body.knee + ABOVE_KNEE_CM
         level = above if hem.level < facts.body.knee + ABOVE_KNEE_AT_LEAST_CM else None
+    elif ("skirt_hem", "knee") in words:
+        level = facts.body.knee if abs(hem.level - facts.body.knee) > KNEE_CM else None
+    elif ("skirt_hem", "below the knee") in words and hem.level > facts.body.knee + COVERED_AT_LEAST_CM:
+        level = facts.body.knee + COVERED_KNEE_CM
     if level is None or facts.kind not in ("dress", "skirt"):
         return None
     if skirt is None:

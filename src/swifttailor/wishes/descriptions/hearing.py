@@ -35,6 +35,7 @@ from swifttailor.wishes.corrections.weighed_together import (
     weighed_all,
     without_flare,
 )
+from swifttailor.wishes.descriptions.coats_by_length import coats_by_length
 from swifttailor.wishes.descriptions.kind_of_details import (
     fitting_the_name,
     skirts_of_dresses,
@@ -111,7 +112,7 @@ def _is_named(heard: Heard) -> bool:
 def _heard_description(text: str, reader: WishReader) -> Heard:
     text, words = text_as_read(made_into_a_dress(without_side_remarks(without_asides(first_piece(text)))))
     own, before = text, words
-    if (plain := plainly_wished(text)) != text:
+    if (plain := coats_by_length(plainly_wished(text))) != text:
         text, words = plain, read_words(plain)
     if words.language == ENGLISH and (dress := skirts_of_dresses(text, words)) != text:
         text, words = dress, read_words(dress)
@@ -277,12 +278,17 @@ def _within_names(network: Sequence[Wish], words: WordReading) -> list[Wish]:
 
 _BESIDE = re.compile(r"\b(?:something|anything|outfit|with|over|under\w*|like|match\w*|for)\b", re.IGNORECASE)
 _SLITS = re.compile(r"slit|split|vent|\bcuts?\b|slash|open|gap|pleat|walk", re.IGNORECASE)
+_WAISTS = re.compile(
+    r"waist|empire|bust|breast|bosom|chest|rib|hip|seam|drop|flapper|1920|20s|join|belly|tummy|bump", re.I
+)
 _FEW_WORDS, _NO_STORY = 5, 9
 _NAMES_THINGS = ("garments", "accessories", "generic")
 _WHOLE_KINDS = frozenset({"dress", "jumpsuit", "playsuit"})
 """Kinds with skirts or legs: who speaks of these at length still asks for the whole."""
 _LOWER_KINDS = frozenset({"skirt", "trousers", "shorts"})
 _BARE_ARMS = Claim("sleeves", "none")
+_TIERS = frozenset({Claim("skirt", "tiered"), Claim("skirt", "gathered tiers")})
+_POINTED = Claim("hem_shape", "pointed")
 _TOPICS = {
     "leg_width_cm": "legs",
     "sleeve_width_cm": "sleeve_shape",
@@ -309,6 +315,12 @@ def _without_guesses(text: str, found: Iterable[Wish], words: WordReading) -> tu
             if claim.name in ("leg_cuffs", "leg_cuff_cm") and "turn_ups" in lacking:
                 continue
             if claim.name == "hips" and kinds == {"top"}:
+                continue
+            if claim.name == "hem_shape" and "curved_hem" in lacking:  # level but for its sides
+                continue
+            if claim.name == "waist_seam" and not (words.unknown or _WAISTS.search(text)):
+                continue
+            if claim in _TIERS and ("second_layer" in lacking or _POINTED in implied):  # layers of cloth
                 continue
             if claim.name == "slit" and "lacing" in lacking and not _SLITS.search(text):  # a laced front
                 continue

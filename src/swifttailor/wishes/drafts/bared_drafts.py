@@ -66,6 +66,8 @@ _LENGTHS: Mapping[str, float] = {
     "floor": 100.0,
 }
 """Waist to hem, by where the hem is to end, cm."""
+_FLOUNCED, _FLOUNCED_CM = Claim("skirt", "fitted base"), 84.0
+"""A flounce begins at the knee: skirts that have one are at least so long."""
 _LONG_CM, _FULL = 90.0, 0.7
 """A long skirt of which nothing is said is as full."""
 
@@ -106,7 +108,10 @@ def bared_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     for claim in claims:
         if claim.name == "skirt_hem" and claim.value in _LENGTHS:
             options["length"] = _LENGTHS[str(claim.value)]
-    if _HANGS.isdisjoint(claims):
+    if _FLOUNCED in claims:
+        options |= {"waist_seam": True, "flounce": True, "skirt_fraction": 0.8}
+        options["length"] = max(float(options.get("length", _LENGTHS["floor"])), _FLOUNCED_CM)
+    elif _HANGS.isdisjoint(claims):
         options["waist_seam"] = True
         shapes = [_SKIRTS[str(c.value)] for c in claims if c.name == "skirt" and c.value in _SKIRTS]
         long = float(options.get("length", 0.0)) >= _LONG_CM

@@ -12,19 +12,25 @@ from swifttailor.wishes.drafts.close_drafts import SHAPED_TO_CM
 _LOOSE = frozenset({"easy", "loose", "oversized"})
 _CROPPED: Mapping[str, tuple[str, Mapping[str, float]]] = {
     **dict.fromkeys(
-        ("denim-jacket", "bomber-jacket", "sweatshirt", "hoodie"),
-        ("chest_ease", {"cropped": 1.0, "waist": 4.0}),
+        ("denim-jacket", "bomber-jacket"),
+        ("chest_ease", {"cropped": 3.5, "waist": 5.5}),
     ),
+    **dict.fromkeys(("sweatshirt", "hoodie"), ("chest_ease", {"cropped": 6.0, "waist": 7.0})),
     **dict.fromkeys(
-        ("t-shirt", "shirt", "turtleneck", "tank-top"), ("chest_ease", {"cropped": -5.0, "waist": 0.0})
+        ("t-shirt", "shirt", "turtleneck", "tank-top"), ("chest_ease", {"cropped": -2.0, "waist": 1.0})
     ),
 }
 """Where the hems of drafts are that are asked to end above the hips, cm below the waist, and their room."""
 _WITH_WINGS_CM: Mapping[str, float] = {"t-shirt": 8.0, "sweatshirt": 12.0}
 """Hems of tops whose sleeves are cut in one lie at least so far below the waist, cm: above shorter ones such
 sleeves do not follow the arm."""
+_OVER_OTHERS_CM, _LIFTED_CM = 18.0, 6.0
+"""Jackets with so much room are lifted so far by the arms."""
 _CROPPED_EASE_CM = 12.0
 """Wider ones stand off where they end."""
+_HIGH_HIP, _SHORT_JACKET_CM = Claim("top_hem", "high hip"), 13.0
+_JACKETS = frozenset({"turtleneck", "blazer", "cardigan", "shirt", "denim-jacket", "bomber-jacket"})
+"""Jackets that are asked for short end so far below the waist."""
 _BANDED = frozenset({"denim-jacket", "bomber-jacket", "sweatshirt", "hoodie"})
 _CROPPED_BANDED: Mapping[str, float] = {"chest_ease": 11.0, "hem_band_ease": 1.0}
 """Room of what a band ends at the waist: bands that are higher or wider stand off like a shelf."""
@@ -41,6 +47,9 @@ def cropped_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
         bare = not any(c.name == "sleeves" and c.value != "none" for c in claims)
         draft = NamedDraft("tank-top" if bare else "t-shirt", ())
         claims = [*claims, Claim("top_hem", "cropped")]
+    if draft.name in _JACKETS and _HIGH_HIP in claims:
+        length = min(float(dict(draft.options).get("length", _SHORT_JACKET_CM)), _SHORT_JACKET_CM)
+        return replace(draft, options=tuple({**dict(draft.options), "length": length}.items()))
     if draft.name not in _CROPPED:
         return draft
     room, lengths = _CROPPED[draft.name]
@@ -51,6 +60,10 @@ def cropped_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     if own.get("waist_shaping") and 0.0 <= asked[0] <= float(own.get("length", 99.0)) <= SHAPED_TO_CM:
         return draft
     options = {**own, "length": asked[0]}
+    if asked[0] == lengths["cropped"] and float(own.get("length", 0.0)) < 0:  # so by name: a sports bra
+        options["length"] = min(asked[0], float(own["length"]))
+    if draft.name == "turtleneck" and float(own.get(room, 0.0)) >= _OVER_OTHERS_CM:
+        options["length"] = asked[0] + _LIFTED_CM
     if options.get(ARMHOLE) == "cut-in-one":
         options["length"] = max(asked[0], _WITH_WINGS_CM.get(draft.name, 8.0))
     elif draft.name in _BANDED and asked[0] == lengths["cropped"]:

@@ -18,6 +18,7 @@ from swifttailor.wishes.drafts.drafts_of_names import covers, draft_of_kind, dra
 from swifttailor.wishes.drafts.godets_as_asked import godets_as_asked
 from swifttailor.wishes.drafts.gored_drafts import gored_as_said
 from swifttailor.wishes.drafts.hearted_drafts import hearted_as_asked
+from swifttailor.wishes.drafts.huge_skirts import huge_as_said
 from swifttailor.wishes.drafts.legs_by_words import ELASTIC, legs_as_said
 from swifttailor.wishes.drafts.loosened_drafts import is_to_be_loose, loosened_as_asked
 from swifttailor.wishes.drafts.low_skirts import low_as_asked
@@ -104,7 +105,7 @@ def drafts_of(heard: Heard) -> tuple[NamedDraft, ...]:
     fitting = [tiers_as_asked(godets_as_asked(draft, sure), sure) for draft in fitting]
     fitting = [bubble_as_asked(draft, heard.lacks, sure) for draft in fitting]
     fitting = [pleats_as_asked(draft, heard.lacks, sure) for draft in fitting]
-    fitting = [tier_as_said(draft, heard.text) for draft in fitting]
+    fitting = [huge_as_said(tier_as_said(draft, heard.text), heard.text) for draft in fitting]
     closed = [closed_as_counted(draft, heard.text) for draft in fitting]
     wanted = {lack.what for lack in heard.lacks if lack.said}
     opened = [opened_as_asked(draft, sure, wanted) for draft in closed]

@@ -29,13 +29,15 @@ _ON_SHOULDERS: Mapping[Skirt, str] = {
 _WITHOUT: Mapping[Hold, str] = {"straps": "strappy-dress", "waist": "strapless-dress"}
 _GATHERS = 2.0
 """Width of a gathered skirt over the waist."""
-_FLAGS: Mapping[Skirt, tuple[tuple[str, bool], ...]] = {
+_FLAGS: Mapping[Skirt, tuple[tuple[str, bool | float], ...]] = {
     "circle": (),
     "gathered": (),
     "close": (("fitted", True),),
-    "flounce": (("flounce", True),),
+    "flounce": (("flounce", True), ("close", 54.0), ("skirt_fraction", 0.8)),
 }
 """What makes the skirt of a dress without shoulders."""
+_FLARED_WIDE = (("close", 54.0), ("fraction", 0.8))
+"""The flounce of a dress with shoulders, where no option says otherwise."""
 _OF_SKIRT: Mapping[Skirt, tuple[str, ...]] = {
     "circle": ("skirt_length", "skirt_fraction"),
     "gathered": ("skirt_length", "gathers"),
@@ -121,17 +123,24 @@ def _held(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
             return draft
         options = {"skirt_length": options.get("length", _LENGTHS[_SLIP]), **options}
     name = _ON_SHOULDERS[skirt] if hold == "shoulders" else _WITHOUT[hold]
-    flags = () if hold == "shoulders" else _FLAGS[skirt]
+    flags = _FLAGS[skirt] if hold != "shoulders" else _FLARED_WIDE if skirt == "flounce" else ()
     if name == draft.name:
         own_options = {key: value for key, value in options.items() if key not in ("fitted", "flounce")}
-        return NamedDraft(name, (*own_options.items(), *flags))
+        return NamedDraft(name, _with_flags(own_options, flags))
     length = float(options.get("skirt_length", _LENGTHS[draft.name]))
     if skirt == "flounce" and _own_skirt(draft) != "flounce":
         length = max(length, _FLOUNCED_CM if _FLOOR not in claims else _LONGEST_CM)
     options |= {"skirt_length": min(max(length, _SHORTEST_CM), _LONGEST_CM)}
     options.setdefault("skirt_fraction", CIRCLES["flared"])
-    kept = [(key, value) for key, value in options.items() if key in _OF_SKIRT[skirt]]
-    return NamedDraft(name, (*kept, *flags))
+    kept = {key: value for key, value in options.items() if key in _OF_SKIRT[skirt]}
+    return NamedDraft(name, _with_flags(kept, flags))
+
+
+def _with_flags(
+    own: Mapping[str, float | bool | str], flags: Sequence[tuple[str, float | bool]]
+) -> tuple[tuple[str, float | bool | str], ...]:
+    """Options with those of the shape of a skirt that they do not set themselves."""
+    return (*own.items(), *[flag for flag in flags if flag[0] not in own])
 
 
 def _with(name: str, draft: NamedDraft, kept: Sequence[str]) -> NamedDraft:

@@ -35,6 +35,8 @@ _TO_FLOOR = re.compile(
     r"(?<!\w)(?:(?:to|reach(?:es|ing)?|touch(?:es|ing)?|skim(?:s|ming)?|brush(?:es|ing)?|graz(?:es|ing|e)"
     r"|sweep(?:s|ing)?) the (?:floor|ground)|floor[- ](?:length|skimming|sweeping|grazing)"
     r"|cover(?:s|ing)? (?:my|the) (?:shoes|feet|heels)"
+    r"|long enough (?:for|to (?:go with|wear with|cover|go over))"
+    r" (?:my |the |high )*heels|(?:worn |to go |to wear )over (?:my |the |high )*heels|heel[- ]length"
     r"|bodenlang|bis (?:zum|auf den) boden|jusqu['’ ]au sol|hasta el suelo)(?!\w)",
     re.IGNORECASE,
 )
@@ -45,6 +47,8 @@ _LONG_CM = 90.0
 _FULL, _SHORTER_CM = Claim("leg_hem", "full"), 92.0
 """Legs that are not to be so long, and how long they are then."""
 _LONGEST = ("trousers", "pull-on-trousers")
+_NOT_DRAGGING: Mapping[str, float] = {"flares": 106.0, "jeans": 106.0}
+"""Drafts whose legs reach the floor and cannot be longer."""
 _SEVEN_EIGHTHS = re.compile(
     r"(?<![\w/])(?:7/8(?:th)?s?|seven[- ]eighths?|siebenachtel|sept huitièmes|siete octavos|sette ottavi"
     r"|sete oitavos|zeven achtste)(?![\w/])"
@@ -94,6 +98,8 @@ def legs_as_said(
         draft = replace(draft, options=tuple({**options, "length": _DRAGGING_CM}.items()))
     elif draft.name in _LONGEST and long and _TO_FLOOR.search(text):
         draft = replace(draft, options=tuple({**options, "length": _FLOOR_CM}.items()))
+    elif draft.name in _NOT_DRAGGING and long and _TO_FLOOR.search(text):
+        draft = replace(draft, options=tuple({**options, "length": _NOT_DRAGGING[draft.name]}.items()))
     elif draft.name in _LONGEST and _FULL in never:
         length = min(_SHORTER_CM, float(options.get("length", _SHORTER_CM)))
         draft = replace(draft, options=tuple({**options, "length": length}.items()))

@@ -26,7 +26,13 @@ _OTHERS = re.compile(
 """What is said to be so long instead."""
 _LENGTH, _LONG_CM = "length", 30.0
 _FROM_THE_SHOULDER = ("t-shirt", "tank-top", "shirt", "turtleneck", "camisole")
-_OPEN: Mapping[str, float] = {"cardigan": 60.0, "blazer": 60.0, "sweatshirt": 50.0, "waistcoat": 40.0}
+_OPEN: Mapping[str, float] = {
+    "cardigan": 60.0,
+    "blazer": 60.0,
+    "sweatshirt": 50.0,
+    "hoodie": 46.0,
+    "waistcoat": 40.0,
+}
 """That are as long where a text makes coats of them, and how long they may be."""
 _TOPS = frozenset({"top", "tunic"})
 

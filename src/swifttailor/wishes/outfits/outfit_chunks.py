@@ -26,6 +26,8 @@ _SAID_OF_BOTH = re.compile(
     r"|ambos|ambas|todo)(?!\w)",
     re.IGNORECASE,
 )
+_BESIDE = re.compile(r"(?<!\w)(?:over|under|über|unter|sur|sous|sobre|sopra)(?!\w)", re.IGNORECASE)
+"""What adjectives do not go on behind: "knee length, over brown breeches"."""
 LOOKS = frozenset({"colors", "prints", "fabrics", "shades"})
 _ADJECTIVES = LOOKS | {"lengths", "fits", "styles", "degrees", "occasions"}
 DETERMINERS = frozenset(
@@ -72,7 +74,8 @@ def chunks_of(text: str, words: WordReading, apart: Callable[[Sequence[WordMark]
             found[-1] = Chunk(found[-1].start, end, found[-1].joined, found[-1].marks)
             continue
         chunk = Chunk(start, end, start > 0, marks)
-        if found and _goes_on(found[-1], chunk) and not apart((*found[-1].marks, *marks)):
+        goes_on = found and not _BESIDE.search(text[start:begun]) and _goes_on(found[-1], chunk)
+        if goes_on and not apart((*found[-1].marks, *marks)):
             found[-1] = Chunk(found[-1].start, end, found[-1].joined, (*found[-1].marks, *marks))
         else:
             found.append(chunk)

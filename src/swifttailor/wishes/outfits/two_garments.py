@@ -155,6 +155,7 @@ class _Outfit:
         for chunk in self._chunks:
             if (own := self._named_in(chunk)) is None:
                 told = {self._told(mark) for mark in chunk.marks if not mark.denied} - {None}
+                told = set() if now == "upper" and self._is_its_length(chunk) else told
                 if is_of_both(self._text, chunk) or len(told) > 1:
                     own = "both"
                 elif told:
@@ -166,6 +167,11 @@ class _Outfit:
             now = own if own not in ("none", "beside") else now
             owners.append(own)
         return owners
+
+    def _is_its_length(self, chunk: Chunk) -> bool:
+        """Whether it is a length of the upper garment: "a tunic, knee length, over breeches"."""
+        lengths = all(_category(mark) in ("lengths", "function") for mark in chunk.marks)
+        return lengths and chunk.end <= self._pieces.two["lower"].mark.start
 
     def _named_in(self, chunk: Chunk) -> str | None:
         """Whose a chunk is by the names in it; None where it has none."""

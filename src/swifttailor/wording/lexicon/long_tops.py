@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
@@ -14,6 +15,7 @@ if TYPE_CHECKING:
 _TOPS = frozenset({"top", "tunic"})
 _LONG = frozenset({"above the knee", "knee", "below the knee", "midi", "ankle", "floor"})
 _OTHERS = ("second", "theirs", "like", "part")
+_HALF_WAY = re.compile(r"(?:mid|middle|half).*thigh", re.IGNORECASE)
 _BESIDE = 4
 """Words before a length among which the other thing may stand that is so long."""
 
@@ -29,7 +31,9 @@ def with_long_tops(implied: Sequence[Implication], marks: Sequence[WordMark]) ->
     tops = [i for i in named if i.mark.role == "garment" and i.claim.value in _TOPS]
     if not tops or len(tops) < len(named) or _names_others(marks):
         return list(implied)
-    hem = next((found for k in range(len(marks)) if (found := _hem(marks, k)) is not None), None)
+    tunic = any(i.claim.value == "tunic" for i in tops)
+    hems = (_hem(marks, k) or (None if tunic else _thigh(marks, k)) for k in range(len(marks)))
+    hem = next((found for found in hems if found is not None), None)
     if hem is None:
         return list(implied)
     mark, claim = hem
@@ -47,15 +51,28 @@ def _names_others(marks: Sequence[WordMark]) -> bool:
 
 def _hem(marks: Sequence[WordMark], k: int) -> tuple[WordMark, Claim] | None:
     mark = marks[k]
-    if mark.denied or mark.role != "word" or not mark.entries or mark.entries[0].category != "lengths":
-        return None
-    if any(m.role in _OTHERS or m.part in ("sleeves", "slit") for m in marks[max(0, k - _BESIDE) : k]):
+    if not _is_length(marks, k):
         return None
     claims = [claim for entry in mark.entries for claim in entry.claims("certain")]
     claim = next((c for c in claims if c.name == "skirt_hem" and c.value in _LONG), None)
     if claim is None or (claim.value == "floor" and "full" in mark.word.lower()):
         return None
     return mark, claim
+
+
+def _thigh(marks: Sequence[WordMark], k: int) -> tuple[WordMark, Claim] | None:
+    """The hem of a top that ends half-way down the thigh, where tunics may end that are no dresses."""
+    half_way = _is_length(marks, k) and _HALF_WAY.search(marks[k].word) is not None
+    return (marks[k], Claim("skirt_hem", "mini")) if half_way else None
+
+
+def _is_length(marks: Sequence[WordMark], k: int) -> bool:
+    """Whether a word tells how long the top is, and not something beside it."""
+    mark = marks[k]
+    if mark.denied or mark.role != "word" or not mark.entries or mark.entries[0].category != "lengths":
+        return False
+    before = marks[max(0, k - _BESIDE) : k]
+    return not any(m.role in _OTHERS or m.part in ("sleeves", "slit") for m in before)
 
 
 def kinds_outgrown(words: WordReading) -> tuple[Claim, ...]:
@@ -68,4 +85,7 @@ def kinds_outgrown(words: WordReading) -> tuple[Claim, ...]:
     if kind is None or kind.mark.role != "garment":
         return ()
     names = frozenset().union(*[entry.kinds for entry in kind.mark.entries])
-    return tuple([Claim("kind", name) for name in sorted(_TOPS)]) if names and names <= _TOPS else ()
+    if not names or not names <= _TOPS:
+        return ()
+    mini = any(i.claim == Claim("skirt_hem", "mini") for i in words.implications)  # as tunics may be
+    return tuple([Claim("kind", name) for name in sorted(_TOPS - {"tunic"} if mini else _TOPS)])

@@ -9,9 +9,15 @@ from swifttailor.pattern.drafts import declared
 from swifttailor.pattern.drafts.bodice import sew_centres
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure
-from swifttailor.pattern.drafts.flared_skirt import lay_flared_skirt
+from swifttailor.pattern.drafts.fitted_skirt import FittedSkirt, lay_fitted_skirt
+from swifttailor.pattern.drafts.flared_skirt import SHORTEST_FLOUNCE, lay_flared_skirt, lay_flounce
 from swifttailor.pattern.drafts.halter_bodice import HalterBodice, lay_halter_bodice, sew_strap
-from swifttailor.pattern.drafts.joins import SKIRT_WHOLE, sew_skirt_to_bodice, sew_trousers_to_bodice
+from swifttailor.pattern.drafts.joins import (
+    SKIRT_HALVES,
+    SKIRT_WHOLE,
+    sew_skirt_to_bodice,
+    sew_trousers_to_bodice,
+)
 from swifttailor.pattern.drafts.measurements import Measurements
 from swifttailor.pattern.drafts.neckline import Neckline
 from swifttailor.pattern.drafts.off_shoulder_bodice import OffShoulderBodice, lay_off_shoulder_bodice
@@ -24,6 +30,8 @@ AboveUnderarm = Annotated[float, Option("Height of the upper edge over the under
 BareSleeve = Annotated[float, Option("Bare shoulder tip to the sleeve's end.", "cm", 18.0, 64.0)]
 CloseArmEase = Annotated[float, Option("Room on top of the upper arm girth, all around.", "cm", 2.0, 14.0)]
 
+_SHORTEST_CLOSE_CM, _FLOUNCED_TAPER = 30.0, -1.5
+"""Of the close part above a flounce, cm, and the slant of its sides, degrees."""
 _CROTCH_DROP = 3.0
 """Of a jumpsuit's crotch below the body's: the room to sit down in, cm."""
 
@@ -135,6 +143,11 @@ class OffShoulderDressOptions(OffShoulderTopOptions):
     ] = False
     waist_ease: declared.WaistEase = 3.0
     skirt_fraction: declared.CircleFraction = 0.5
+    flounce: Annotated[
+        bool, Option("With a waist seam, cut the skirt close and end it at a flounce cut from a circle.")
+    ] = False
+    close: declared.FlounceSeam = 54.0
+    hip_ease: declared.HipEase = 4.0
 
 
 def draft_off_shoulder_dress(options: OffShoulderDressOptions, measurements: Measurements) -> Pattern:
@@ -144,10 +157,18 @@ def draft_off_shoulder_dress(options: OffShoulderDressOptions, measurements: Mea
     table, figure = CuttingTable("off-shoulder-dress"), Figure.of(measurements)
     waist = lay_off_shoulder_bodice(table, figure, _bare(options, options.waist_ease))
     assert waist is not None
-    lay_flared_skirt(table, waist, options.length, figure.waist_y - 3.0, options.skirt_fraction)
+    if not options.flounce:
+        lay_flared_skirt(table, waist, options.length, figure.waist_y - 3.0, options.skirt_fraction)
     table.mirror()
     sew_centres(table)
-    sew_skirt_to_bodice(table, SKIRT_WHOLE)
+    if options.flounce:
+        close = max(min(options.close, options.length - SHORTEST_FLOUNCE), _SHORTEST_CLOSE_CM)
+        skirt = FittedSkirt(close, options.hip_ease, _FLOUNCED_TAPER)
+        lay_fitted_skirt(table, figure, skirt, waist, figure.waist_y)
+    sew_skirt_to_bodice(table, SKIRT_HALVES if options.flounce else SKIRT_WHOLE)
+    if options.flounce:
+        fall = max(options.length - close, SHORTEST_FLOUNCE)
+        lay_flounce(table, fall, figure.waist_y - close - 3.0, options.skirt_fraction)
     return table.finish()
 
 

@@ -31,15 +31,16 @@ class PleatedSkirtOptions:
     ] = 52.0
     band_height: declared.BandHeight = 4.0
     waist_ease: declared.BandEase = 0.0
+    apron: Annotated[bool, Option("Leave the front flat, as of a kilt: pleats are behind alone.")] = False
 
 
 def draft_pleated_skirt(options: PleatedSkirtOptions, measurements: Measurements) -> Pattern:
-    """Drafts the pleated skirt for a body: knife pleats all around."""
+    """Drafts the pleated skirt for a body: knife pleats all around, or behind a flat front."""
     figure = Figure.of(measurements)
     table = CuttingTable("pleated-skirt")
     height = options.band_height
     lower = lay_body_waist_band(table, figure, height, options.waist_ease)
-    skirt = KnifePleats(options.length - height, options.strips, options.depth, options.flare)
+    skirt = KnifePleats(options.length - height, options.strips, options.depth, options.flare, options.apron)
     lay_pleated_skirt(
         table,
         lower,
@@ -48,5 +49,5 @@ def draft_pleated_skirt(options: PleatedSkirtOptions, measurements: Measurements
         hips=figure.hips.eased(_HIP_EASE_CM),
         to_hips=figure.waist_y - figure.hip_y - height,
     )
-    sew_pleats_to_band(table, options.strips)
+    sew_pleats_to_band(table, options.strips, apron=options.apron)
     return table.finish()

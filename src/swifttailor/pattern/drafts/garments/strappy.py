@@ -70,11 +70,19 @@ class SlipDressOptions:
     flare: declared.HemFlare = 24.0
     strap_width: StrapWidth = 1.5
     dip: FrontDip = 4.0
+    waist_shaping: declared.WaistShaping = 0.0
 
 
 def draft_slip_dress(options: SlipDressOptions, measurements: Measurements) -> Pattern:
     """Drafts the slip dress for a body."""
-    bodice = StrapBodice(options.strap_width, options.chest_ease, options.length, options.dip, options.flare)
+    bodice = StrapBodice(
+        options.strap_width,
+        options.chest_ease,
+        options.length,
+        options.dip,
+        options.flare,
+        options.waist_shaping,
+    )
     return _on_straps("slip-dress", bodice, measurements)
 
 
