@@ -92,6 +92,9 @@ SHOULD_HAVE = {
     "back buttons": ("shirt", "fitted-dress", "t-shirt", "blazer"),
     "back lacing": ("bustier", "strapless-dress", "fitted-dress"),
     "back bow": ("fitted-dress", "skater-dress", "bustier", "pinafore"),
+    "reflecting bands": ("t-shirt", "waistcoat", "bomber-jacket", "cardigan", "trousers", "joggers"),
+    "asymmetric zip": ("turtleneck", "blazer", "coat", "denim-jacket", "t-shirt"),
+    "storm flap": ("coat", "blazer", "hooded-coat", "turtleneck"),
 }
 CHILDREN = (60.0, 92.0, 110.0, 128.0, 152.0)
 SOME = tuple(info for info in list_drafts() if info.name not in ("gored-skirt", "pleated-skirt"))
@@ -126,6 +129,7 @@ def test_has_its_place_on_the_drafts_that_should_have_it(name, drafts):
         ("boning", "jeans"), ("boning", "coat"), ("shoulder bows", "jeans"), ("shoulder bows", "bustier"),
         ("waist placket", "fitted-skirt"), ("front pocket", "jeans"), ("lower back pockets", "fitted-skirt"),
         ("thigh pocket", "coat"), ("back elastic", "t-shirt"), ("knee patches", "gathered-skirt"),
+        ("reflecting bands", "fitted-skirt"), ("asymmetric zip", "jeans"), ("storm flap", "trousers"),
     ],
 )  # fmt: skip
 def test_has_none_on_others(name, draft_name, drafts):
