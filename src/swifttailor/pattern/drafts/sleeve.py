@@ -22,6 +22,8 @@ LOWEST_CAP = 3.0
 """Lowest sleeve cap, cm."""
 _BENDS = 0.45
 """Where along the arm, from the underarm on, the lower edge of a trailing sleeve bends down."""
+_PLUMB = 0.4
+"""How far its end is turned from square to the arm to straight down; farther, an arm would seem raised."""
 HIGHEST_CAP = 17.0
 """Highest sleeve cap, cm."""
 
@@ -103,7 +105,7 @@ def sleeve_outline(cap: Cap, length: float, narrowing: float, *, front: bool, ea
 
 
 def _trailing_outline(cap: Cap, length: float, trails: float, angle: float, *, front: bool) -> Outline:
-    """Draws one half of a sleeve whose end hangs straight down from an arm that is held out.
+    """Draws one half of a sleeve whose end hangs down from an arm that is held out.
 
     Args:
         cap: The fitted cap.
@@ -113,7 +115,8 @@ def _trailing_outline(cap: Cap, length: float, trails: float, angle: float, *, f
         front: Which half.
     """
     half = cap.front if front else cap.back
-    down = (math.sin(math.radians(angle)), -math.cos(math.radians(angle)))
+    lean = math.radians(_PLUMB * angle)
+    down = (math.sin(lean), -math.cos(lean))
     # Both halves have the same lower edge, which is sewn; their free ends differ as their widths do.
     beside = (cap.front + cap.back) / 2 - half
     point = (length + trails * down[0], trails * down[1] + beside)

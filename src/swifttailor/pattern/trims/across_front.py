@@ -1,4 +1,4 @@
-"""What lies aslant on a front: a zip that runs from one collarbone to the other hip, a flap against storms."""
+"""What lies aslant on a front: a zip from one collarbone to the other hip, a flap against storms."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def asymmetric_zip(chalk: Chalk, name: str) -> list[Trim]:
 
 
 def _teeth(chalk: Chalk, name: str, start: Floats, end: Floats) -> list[Trim]:
-    """From a place on the left front to one on the right front; nothing where one of them does not hold it."""
+    """From a place on the left front to one on the right front; nothing where one does not hold it."""
     share = float(start[0] / (start[0] - end[0]))
     middle = start + share * (end - start)
     pieces: list[Trim] = []
@@ -63,13 +63,14 @@ def _teeth(chalk: Chalk, name: str, start: Floats, end: Floats) -> list[Trim]:
     return pieces
 
 
-def _narrowed(
-    chalk: Chalk, name: str, panel: str, line: list[tuple[float, float]], sign: int
-) -> list[Trim]:
+def _narrowed(chalk: Chalk, name: str, panel: str, line: list[tuple[float, float]], sign: int) -> list[Trim]:
     """The same strip, cut off where the front ends in the middle."""
     edges = [chalk.middle(sign, y) + sign * 0.05 for _, y in line]
     sides = [
-        [(sign * max(sign * (x + way * _ZIP), sign * edge), y) for (x, y), edge in zip(line, edges, strict=True)]
+        [
+            (sign * max(sign * (x + way * _ZIP), sign * edge), y)
+            for (x, y), edge in zip(line, edges, strict=True)
+        ]
         for way in (-1, 1)
     ]
     return chalk.ruled(name, panel, sides[0], sides[1], "metal", is_cut=False)

@@ -1,4 +1,4 @@
-"""Named drafts with what words say of the ends of legs, of waistbands, straps and shoulders that no claim does."""
+"""Named drafts with what words say of legs, waistbands, straps and shoulders that no claim does."""
 
 from __future__ import annotations
 
@@ -60,7 +60,10 @@ def with_details(draft: NamedDraft, lacks: Collection[str], claims: Collection[C
     if _PADS in lacks and draft.name in _SHOULDERED:
         more[_BEYOND[0]] = max(_BEYOND[1], float(options.get(_BEYOND[0], 0.0)))
     if _TRAILING in lacks and draft.name in _MAY_TRAIL:
-        more |= {_TRAILS[0]: _TRAILS[1], "sleeve_length": max(_LONG_CM, float(options.get("sleeve_length", 0.0)))}
+        more |= {
+            _TRAILS[0]: _TRAILS[1],
+            "sleeve_length": max(_LONG_CM, float(options.get("sleeve_length", 0.0))),
+        }
         more |= {"sleeves": True} if draft.name not in ("robe", "t-shirt", "cardigan") else {}
         more |= {"cuffs": False} if draft.name == "shirt-dress" else {}
         more["arm_ease"] = min(float(options.get("arm_ease", 8.0)), 16.0)

@@ -119,4 +119,6 @@ def draft_apron(options: ApronOptions, measurements: Measurements) -> Pattern:
 
 
 def _bib(options: BibOptions) -> Bib:
-    return Bib(options.strap_width, options.bib_height, options.waist_ease, options.band_height, options.crossed)
+    return Bib(
+        options.strap_width, options.bib_height, options.waist_ease, options.band_height, options.crossed
+    )
