@@ -160,7 +160,7 @@ def _colors(
         named = [ground, *others] if kind in ("dots", "motif") else [*others, ground]
     elif len(named) == 1 and kind in ("dots", "motif") and _is_of_figures(text, marks[0], mark):
         named = [_LIGHT, named[0]]
-    if len(named) == 1 and len(inks) > 1:  # a red hi-vis vest has silver bands
+    if len(named) == 1 and len(inks) > 1:  # a blue huipil has pale bands
         named.append(_mixed("#ffffff", named[0], _GLINT) if _glints(mark) else inks[1])
     if len(named) == 1:
         named.append(_LIGHT if _brightness(named[0]) < _LIGHT_FROM else _DARK)
