@@ -27,8 +27,8 @@ def test_tweed_alone_is_flecked_and_keeps_its_colour_between_its_threads():
         ("navy dress with white stars", ("#1f2a44", "#ffffff")),
         ("dress with red hearts", ("#f4f1e8", "#ab252e")),
         ("pinstripe trousers", ("#2a2f3a", "#7f8794")),
-        ("hi-vis vest", ("#d8ef1e", "#c8cbce")),
-        ("orange hi-vis vest", ("#d98244", "#c8cbce")),
+        ("huipil", ("#a8243a", "#f3ece0")),
+        ("blue huipil", ("#365c96", "#869dc0")),
     ],
 )
 def test_prints_have_the_colours_of_their_names(text, colors):

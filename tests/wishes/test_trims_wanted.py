@@ -17,7 +17,7 @@ from swifttailor.wording import cannot_texts, read_words
 from swifttailor.wording.lexicon import all_entries
 
 POCKETS = {name for name in TRIMS if "pocket" in name}
-ZIPS = {"zip", "half zip", "back zip", "side zip", "fly"}
+ZIPS = {"zip", "half zip", "back zip", "side zip", "fly", "asymmetric zip"}
 
 
 def heard(text: str) -> Heard:

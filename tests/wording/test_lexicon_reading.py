@@ -457,7 +457,7 @@ def test_a_small_detail_is_no_size_of_clothes(text, sizes):
     [
         ("surplice", "shift-dress", {"sleeve_shape=wide", "skirt_hem=knee"}),
         ("surplice top", "wrap-top", {"neckline=v"}),
-        ("bib shorts for cycling", "strappy-jumpsuit", {"fit=close", "legs=slim"}),
+        ("bib shorts for cycling", "dungarees", {"fit=close", "legs=slim"}),
         ("houppelande", "shift-dress", {"collar=stand", "sleeve_shape=bell"}),
         ("chiton", "shift-dress", {"shoulders=both", "fit=loose"}),
         ("Sailor Moon style school uniform", "shirt-dress", {"collar=lapel", "skirt_hem=mini"}),

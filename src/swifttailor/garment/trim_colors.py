@@ -44,6 +44,7 @@ _IN_ANOTHER: Mapping[str, tuple[str, str]] = {
     "neck lace": ("#f3efe6", "#c9bfae"),
     "side stripes": ("#f3efe6", "#26324a"),
     "sleeve stripes": ("#f3efe6", "#26324a"),
+    "reflecting bands": ("#d5d9dc", "#b4bac0"),
 }
 """What is of another colour than the cloth, where none is told: on darker cloth, and on light cloth."""
 _UNDYED, _PALE = "#f1efe9", 0.62

@@ -122,6 +122,21 @@ _OTHERS: Mapping[str, tuple[str, str]] = {
         "Before the lining or facing is sewn in, sew tape of 1.5 cm behind each marked line, along both "
         "of its edges. Cut bones 1 cm shorter than the channels, round their ends, and push them in.",
     ),
+    "reflecting bands": (
+        "Reflecting bands",
+        "Lay reflecting tape of 5 cm on the marks, and topstitch both of its edges before the side seams are "
+        "sewn.",
+    ),
+    "asymmetric zip": (
+        "Zip across the front",
+        "Sew the fronts together in the middle, cut them along the marked strip, and set the zip in from the "
+        "neck to the hem.",
+    ),
+    "storm flap": (
+        "Storm flap",
+        "Cut the marked piece twice, with allowances. Sew both together but for shoulder and armhole, turn "
+        "them, and catch these edges in the seams there.",
+    ),
     "apron": (
         "Apron",
         "Cut the marked piece once more, with allowances. Hem its sides and lower edge, and catch its upper "

@@ -28,6 +28,7 @@ FOLDED_OR_NOT = {
     "swing-dress",
     "drop-waist-dress",
     "jumpsuit",
+    "peplum-top",
 }
 """Theirs may also stand, or be turned down over a stand."""
 

@@ -96,6 +96,9 @@ SHOULD_HAVE = {
     "back buttons": ("shirt", "fitted-dress", "t-shirt", "blazer"),
     "back lacing": ("bustier", "strapless-dress", "fitted-dress"),
     "back bow": ("fitted-dress", "skater-dress", "bustier", "pinafore"),
+    "reflecting bands": ("t-shirt", "waistcoat", "bomber-jacket", "cardigan", "trousers", "joggers"),
+    "asymmetric zip": ("turtleneck", "blazer", "coat", "denim-jacket", "t-shirt"),
+    "storm flap": ("coat", "blazer", "hooded-coat", "turtleneck"),
 }
 CHILDREN = (60.0, 92.0, 110.0, 128.0, 152.0)
 SOME = tuple(info for info in list_drafts() if info.name not in ("gored-skirt", "pleated-skirt"))
@@ -132,6 +135,7 @@ def test_has_its_place_on_the_drafts_that_should_have_it(name, drafts):
         ("thigh pocket", "coat"), ("back elastic", "t-shirt"), ("knee patches", "gathered-skirt"),
         ("arm slits", "coat"), ("yoke frill", "bustier"), ("neck lace", "jeans"),
         ("front frills", "fitted-skirt"),
+        ("reflecting bands", "fitted-skirt"), ("asymmetric zip", "jeans"), ("storm flap", "trousers"),
     ],
 )  # fmt: skip
 def test_has_none_on_others(name, draft_name, drafts):

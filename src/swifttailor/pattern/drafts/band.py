@@ -5,7 +5,7 @@ from __future__ import annotations
 from swifttailor.pattern.drafts.cutting_table import CuttingTable, turned
 from swifttailor.pattern.drafts.figure import ANKLE_X_PER_HIPS, Figure, Halves
 from swifttailor.pattern.drafts.joins import sew_sides
-from swifttailor.pattern.drafts.outline import Outline, annular_sector
+from swifttailor.pattern.drafts.outline import Outline, Side, annular_sector
 
 CONTOUR = 0.2
 """Part of the body's widening below the waist that a waistband follows; a fully shaped one slides down."""
@@ -17,6 +17,8 @@ LEG_CUFF_GAP = 2.0
 """Between a leg and its cuff before draping, cm."""
 LEG_CUFF_FRONT_Z, LEG_CUFF_BACK_Z = 17.0, -20.0
 """Where the cuffs of legs stand before draping, cm: near the ankles, so that they close around them."""
+_LEAST_RISE_CM, _RISING = 0.5, (0.3, 0.7)
+"""What rises less behind is level, cm; where along it the controls of the risen edge are."""
 _ABOVE_HIPS_CM = 1.5
 """The lowest bands of legs end so far above the hips."""
 _LOWEST_CUFF_CM, _CUFF_EASE_CM = 1.0, 3.0
@@ -63,9 +65,22 @@ def band_below_waist(figure: Figure, below_waist: float, height: float) -> float
 
 
 def lay_body_waist_band(
-    table: CuttingTable, figure: Figure, height: float, ease: float, below_waist: float = 0.0
+    table: CuttingTable,
+    figure: Figure,
+    height: float,
+    ease: float,
+    below_waist: float = 0.0,
+    back_rise: float = 0.0,
 ) -> Halves:
     """Lays a waistband shaped to the body, its upper edge at the waist or some centimetres below it.
+
+    Args:
+        table: Where it goes.
+        figure: The body.
+        height: Of the band at its sides, cm.
+        ease: On top of the body's girth, cm around.
+        below_waist: How far below the waist the upper edge is, cm.
+        back_rise: How much higher it is in the middle of the back, cm.
 
     Returns:
         Half widths of its lower edge, cm: what is sewn to it.
@@ -77,7 +92,27 @@ def lay_body_waist_band(
         upper.back + CONTOUR * max(below.back - upper.back, 0.0),
     )
     lay_waist_band(table, upper, lower, height, figure.waist_y - below_waist, at_waist=True)
+    if back_rise >= _LEAST_RISE_CM:
+        _raise_behind(table, back_rise)
     return lower
+
+
+def _raise_behind(table: CuttingTable, rise: float) -> None:
+    """Bends the upper edge of the back waistband up, so that it is so much higher in the middle, cm."""
+    piece = table.pieces["wb_back"]
+    (top,) = piece.find("top")
+    start, end = top.start, top.end
+    level = start[1] + (rise + _sag(top)) / 0.75  # two controls move the middle by three quarters as much
+    edge = Outline(*start)
+    controls = [(start[0] + share * (end[0] - start[0]), level) for share in _RISING]
+    edge.cubic("top", controls[0], controls[1], end)
+    piece.sides[piece.sides.index(top)] = edge.sides[0]
+    table.label("wb_back.top", "lower_interface")
+
+
+def _sag(edge: Side) -> float:
+    """By how much the middle of an edge lies above its ends, cm; less than 0 where it lies below."""
+    return edge.split([0.5])[0].end[1] - (edge.start[1] + edge.end[1]) / 2
 
 
 def lay_sleeve_cuff(table: CuttingTable, figure: Figure, at: float, ease: float, height: float) -> None:

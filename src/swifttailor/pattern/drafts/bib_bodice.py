@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from swifttailor.pattern.drafts.band import lay_body_waist_band
 from swifttailor.pattern.drafts.bodice import BACK_Z, FRONT_Z
@@ -16,6 +16,8 @@ _STRAPS_BEHIND_X = 5.0
 """Distance of the middle of each strap from the middle of the waistband behind, cm."""
 _WIDER_BELOW, _CORNER = 2.0, 1.0
 """How much wider the half of the bib is at the waist than above; how far it reaches beyond the strap, cm."""
+_APART_Z = 2.5
+"""So far behind the other strap does one that crosses it stand before draping, cm."""
 _SIDES_FREE = 3.0
 """At least so much of each half of the waistband in front is free beside the bib, cm."""
 
@@ -32,6 +34,8 @@ class Bib:
     """On top of the waist girth, cm around."""
     band_height: float
     """Of the waistband, cm."""
+    crossed: bool = False
+    """Whether the straps cross behind."""
 
 
 def lay_bib(table: CuttingTable, figure: Figure, shape: Bib) -> Halves:
@@ -63,13 +67,15 @@ def lay_bib(table: CuttingTable, figure: Figure, shape: Bib) -> Halves:
     table.lay("left_ftorso", bib.closed(), label="body", at=(0.0, 0.0, FRONT_Z))
     lift = BLADE_FULLNESS * (figure.neck_y - waist_y)
     near, far = _STRAPS_BEHIND_X - shape.strap / 2, _STRAPS_BEHIND_X + shape.strap / 2
-    strap = Outline(near, waist_y).line("waist", far, waist_y)
+    at = (-far, -near) if shape.crossed else (near, far)
+    strap = Outline(at[0], waist_y).line("waist", at[1], waist_y)
     strap.line("armhole", outer, figure.shoulder_line(outer) + lift)
-    strap.line("shoulder", inner, figure.shoulder_line(inner) + lift).line("neck", near, waist_y)
+    strap.line("shoulder", inner, figure.shoulder_line(inner) + lift).line("neck", at[0], waist_y)
     table.lay("left_btorso", strap.closed(), label="body", at=(0.0, 0.0, BACK_Z), back=True)
     _divide(table, "wb_front", [upper.front - wide, wide, wide, upper.front - wide], "free left right free")
     free = upper.back - far
-    _divide(table, "wb_back", [free, shape.strap, 2 * near, shape.strap, free], "free right free left free")
+    ends = "free left free right free" if shape.crossed else "free right free left free"
+    _divide(table, "wb_back", [free, shape.strap, 2 * near, shape.strap, free], ends)
     table.seam("left_ftorso.shoulder", "left_btorso.shoulder")
     for panel in ("left_ftorso", "left_btorso"):
         table.label(f"{panel}.armhole", "left_armhole")
@@ -77,8 +83,17 @@ def lay_bib(table: CuttingTable, figure: Figure, shape: Bib) -> Halves:
     return lower
 
 
-def sew_bib(table: CuttingTable) -> None:
-    """Sews bib and straps to the waistband, and both halves of the bib together."""
+def sew_bib(table: CuttingTable, *, crossed: bool = False) -> None:
+    """Sews bib and straps to the waistband, and both halves of the bib together.
+
+    Args:
+        table: Where they lie, mirrored.
+        crossed: Whether the straps cross behind: the right one then lies over the left one.
+    """
+    if crossed:
+        over = table.pieces["right_btorso"]
+        x, y, z = over.placement.translation
+        over.placement = replace(over.placement, translation=(x, y, z - _APART_Z))
     table.seam("right_ftorso.centre", "left_ftorso.centre")
     for side in ("left", "right"):
         table.seam(f"{side}_ftorso.waist", f"wb_front.{side}")

@@ -176,5 +176,11 @@ LapelDepth = Annotated[
 LapelCollarWidth = Annotated[float, Option("Width of the collar on the shoulder.", "cm", 3.0, 8.0)]
 LapelWidth = Annotated[float, Option("Width of the lapels where they are widest.", "cm", 4.0, 12.0)]
 SideSlits = Annotated[float, Option("Length of the side seams left open above the hem.", "cm", 0.0, 85.0)]
+LegSlits = Annotated[
+    float, Option("Length of the side seams of the legs left open above the hem.", "cm", 0.0, 30.0)
+]
+BackRise = Annotated[
+    float, Option("How much higher the waistband is in the middle of the back.", "cm", 0.0, 6.0)
+]
 BelowWaist = Annotated[float, Option("Upper edge below the body's waist.", "cm", 0.0, 16.0)]
 BandEase = Annotated[float, Option("Room of the waistband on top of the waist girth.", "cm", -2.0, 4.0)]

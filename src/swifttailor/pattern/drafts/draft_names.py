@@ -130,6 +130,8 @@ class NamedDraft:
         shown = (*shown, *(_OF_TIERED_DRESSES if tiered else ()))
         if float(dict(self.options).get("crotch_drop", 0.0)) >= LOW_CROTCH_CM:
             shown = (*shown, LOW_CROTCH)
+        shown = (*shown, *[key for option, key in _OPTIONS_SHOW.items() if dict(self.options).get(option)])
+        shown = (*shown, *([TRAILING] if dict(self.options).get("sleeve_shape") == "trailing" else ()))
         shown = (*shown, *([RACERBACK] if dict(self.options).get(RACER) else ()))
         shown = (*shown, *([SWEETHEART] if (NECKLINE, SWEETHEART) in self.options else ()))
         shown = tuple([key for key in shown if not (closed and key == "open_front")])
@@ -159,6 +161,7 @@ class NamedDraft:
                 [("skirt_hem", value) for value, own in APRON_HEMS.items() if abs(own - length) < 1.0]
             )
         bib = _OF_BIBS if self.name in ("dungarees", "pinafore", "apron") else ()
+        bib = (*bib, *(_OF_CROSSED if dict(self.options).get(CROSSED) else ()))
         broad = (("straps", "wide"),) if bib and STRAP_WIDTH in dict(self.options) else ()
         high = (("slit_size", "high"),) if float(dict(self.options).get(SIDE_SLITS, 0.0)) >= HIGH_CM else ()
         wings = _OF_WINGS if dict(self.options).get(ARMHOLE) == "cut-in-one" else ()
@@ -232,6 +235,12 @@ _ARMHOLES_SHOW: Mapping[str, tuple[str, ...]] = {"raglan": (RAGLAN,), "cut-in-on
 DROPPED_CM = 6.0
 """Armholes so far beyond the shoulder tip lie on the upper arm."""
 _OF_WINGS = (("sleeve_shape", "wide"),)
+LEG_SLITS, BACK_RISE, CROSSED, TRAILING = "slits", "back_rise", "crossed", "trailing_sleeves"
+CROSSED_STRAPS = "crossed_straps"
+_OPTIONS_SHOW = {SIDE_SLITS: LEG_SLITS, BACK_RISE: BACK_RISE, CROSSED: CROSSED_STRAPS}
+"""What open ends of legs and the like, which have options of their own, are in ``cannot.txt``."""
+_OF_CROSSED = (("neckline", "square"),)
+"""Of bibs, whose straps say no more where they end."""
 RACER, RACERBACK = "racer", "racerback"
 """The option of tank tops whose back is cut in, and what that is in ``cannot.txt``."""
 _OF_RACERS = (("armholes", "angled"), ("armholes", "deep"))

@@ -14,10 +14,16 @@ from swifttailor.pattern.drafts.options import Option
 from swifttailor.pattern.drafts.raglan import lay_raglan_sleeve
 from swifttailor.pattern.drafts.sleeve import Sleeve, lay_sleeve
 
-SleeveShape = Literal["plain", "puffed", "balloon", "bell"]
+SleeveShape = Literal["plain", "puffed", "balloon", "bell", "trailing"]
 SleeveShapeOption = Annotated[
     SleeveShape,
-    Option("Puffed: gathered at the shoulder. Balloon: full, gathered into a cuff. Bell: widens to the end."),
+    Option(
+        "Puffed: gathered at the shoulder. Balloon: full, gathered into a cuff. Bell: widens to the end. "
+        "Trailing: hangs in a point below the wrist."
+    ),
+]
+TrailingOption = Annotated[
+    Literal["plain", "trailing"], Option("Trailing: hangs in a point below the wrist.")
 ]
 ArmholeCut = Literal["set-in", "raglan", "cut-in-one"]
 ArmholeCutOption = Annotated[
@@ -51,6 +57,8 @@ BAND_CM, BAND_EASE = 3.0, 3.0
 """Height of the band of a short sleeve and its room around the arm, cm."""
 CUFF_CM, CUFF_EASE = 6.0, 4.0
 """The same of the cuff of a long one."""
+TRAILS_SHARE = 0.85
+"""By which part of its length a trailing sleeve hangs down below the wrist."""
 LEAST_END_EASE = 4.0
 """Room around the arm at the ends of sleeves that are cut in one, cm at least."""
 BELL_SHARE, LARGEST_BELL_CM = 0.5, 26.0
@@ -76,14 +84,16 @@ def lay_shaped_sleeve(
         wing: How far below the underarm a sleeve that is cut in one begins, cm.
     """
     if armhole == "cut-in-one" and shape != "puffed":
-        bell = min(BELL_SHARE * plain.length, LARGEST_BELL_CM) if shape == "bell" else 0.0
+        bell = min(BELL_SHARE * plain.length, LARGEST_BELL_CM) if shape in ("bell", "trailing") else 0.0
         width = max(plain.end_width, figure.arm_girth(plain.length) + LEAST_END_EASE) + bell
         cut_sleeve_in_one(table, figure, CutInOne(plain.length, width, wing, plain.shoulder_extension))
         return
     lay = lay_raglan_sleeve if armhole == "raglan" and shape != "puffed" else lay_sleeve
     if shape == "plain":
         lay(table, figure, plain)
-    elif shape == "bell":
+    elif shape == "trailing" and lay is lay_sleeve:
+        lay_sleeve(table, figure, replace(plain, trails=TRAILS_SHARE * plain.length))
+    elif shape in ("bell", "trailing"):
         lay(table, figure, replace(plain, flare=min(BELL_SHARE * plain.length, LARGEST_BELL_CM)))
     elif shape == "puffed" and plain.length >= LONG_CM:
         full = replace(plain, arm_ease=LEG_OF_MUTTON_EASE, cap_ease=LEG_OF_MUTTON_CAP, close_below_elbow=True)

@@ -20,6 +20,10 @@ LIFT = 0.8
 """Height of the sleeve's upper seam over the shoulder tip before draping, across the arm, cm."""
 LOWEST_CAP = 3.0
 """Lowest sleeve cap, cm."""
+_BENDS = 0.45
+"""Where along the arm, from the underarm on, the lower edge of a trailing sleeve bends down."""
+_PLUMB = 0.4
+"""How far its end is turned from square to the arm to straight down; farther, an arm would seem raised."""
 HIGHEST_CAP = 17.0
 """Highest sleeve cap, cm."""
 
@@ -42,6 +46,8 @@ class Sleeve:
     """By how much the end is wider than the underarm, cm around, whatever `end_width` says; 0 for nothing."""
     close_below_elbow: bool = False
     """Whether it narrows above the elbow and is as close as at its end from there on, as a leg of mutton."""
+    trails: float = 0.0
+    """How far its end hangs down below the arm, cm; 0 for nothing."""
 
 
 @dataclass(frozen=True)
@@ -65,6 +71,8 @@ def lay_sleeve(table: CuttingTable, figure: Figure, shape: Sleeve) -> None:
     narrowing = -shape.flare / 2 if shape.flare else min(narrowing, min(cap.front, cap.back) - 3.0)
     for side in "fb":
         outline = sleeve_outline(cap, length, narrowing, front=side == "f", early=shape.close_below_elbow)
+        if shape.trails:
+            outline = _trailing_outline(cap, length, shape.trails, figure.arm_angle, front=side == "f")
         place_on_arm(table, figure, f"left_sleeve_{side}", outline)
         table.seam(f"left_{side}torso.armhole", f"left_sleeve_{side}.cap", gathered=True)
     table.seam("left_sleeve_f.top", "left_sleeve_b.top")
@@ -91,6 +99,30 @@ def sleeve_outline(cap: Cap, length: float, narrowing: float, *, front: bool, ea
         outline.cubic("under", first, (cap.height + 0.45 * low, -half + narrowing), end)
     else:
         outline.line("under", *end)
+    outline.line("hem", length, 0.0).line("top", 0.0, 0.0)
+    _cap_curve(outline, cap.height, half, front)
+    return outline.closed()
+
+
+def _trailing_outline(cap: Cap, length: float, trails: float, angle: float, *, front: bool) -> Outline:
+    """Draws one half of a sleeve whose end hangs down from an arm that is held out.
+
+    Args:
+        cap: The fitted cap.
+        length: From the shoulder tip to the end on top, cm.
+        trails: How far the end hangs down, cm.
+        angle: Of the arm below the horizon, degrees.
+        front: Which half.
+    """
+    half = cap.front if front else cap.back
+    lean = math.radians(_PLUMB * angle)
+    down = (math.sin(lean), -math.cos(lean))
+    # Both halves have the same lower edge, which is sewn; their free ends differ as their widths do.
+    beside = (cap.front + cap.back) / 2 - half
+    point = (length + trails * down[0], trails * down[1] + beside)
+    bend = cap.height + _BENDS * (length - cap.height)
+    outline = Outline(cap.height, -half)
+    outline.cubic("under", (bend, -half), (bend + 0.3 * (point[0] - bend), 0.5 * (point[1] - half)), point)
     outline.line("hem", length, 0.0).line("top", 0.0, 0.0)
     _cap_curve(outline, cap.height, half, front)
     return outline.closed()

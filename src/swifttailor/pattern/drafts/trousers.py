@@ -9,6 +9,7 @@ from swifttailor.errors import PatternError
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure, Halves
 from swifttailor.pattern.drafts.outline import Outline, Point
+from swifttailor.pattern.drafts.side_seam import SHORTEST_SLIT
 from swifttailor.pattern.drafts.suppression import Suppression, dart_places, suppress, waist_darts
 
 FRONT_Z = 25.0
@@ -37,6 +38,8 @@ ROOMY_CM = 10.0
 """Short legs with so much room have a straight inseam: hollowed out they would stand apart above the hems."""
 SHORTEST_INSEAM = 4.0
 """Hem below the crotch at least, cm."""
+_SLIT_SHARE = 0.6
+"""Slits are no longer than this part of the side seam below the knee, or of short legs below the hips."""
 
 
 @dataclass(frozen=True)
@@ -65,6 +68,8 @@ class Trousers:
     """How far each side seam bows outward between hip and knee, as that of jodhpurs, cm."""
     barrel: float = 0.0
     """How far each side seam stands out at the knee, as that of barrel legs, cm."""
+    side_slit: float = 0.0
+    """How far each side seam is open above the hem, cm."""
 
 
 def legs_of_bodice(
@@ -112,6 +117,8 @@ class LegLines:
     """How far the side seam bows outward above the knee."""
     barrel: float
     """How far it stands out at the knee."""
+    slit: float
+    """How far it is open above the hem."""
     roomy: bool
     """Whether there is so much room that the inseam of short legs runs straight."""
 
@@ -190,6 +197,7 @@ def _leg_lines(figure: Figure, shape: Trousers, hips: Halves, taken: Suppression
         step=step,
         bow=shape.bow if knee_y is not None else 0.0,
         barrel=shape.barrel if knee_y is not None else 0.0,
+        slit=shape.side_slit if shape.side_slit >= SHORTEST_SLIT else 0.0,
         roomy=shape.leg_ease >= ROOMY_CM,
     )
 
@@ -276,8 +284,11 @@ def _leg_and_side(lines: LegLines, hip: float, step: float) -> Outline:
     outline = Outline(inner_hem, lines.hem_y).line("hem", hem_x, lines.hem_y)
     below = lines.hem_y
     if lines.knee_y is not None:
-        _side_below_knee(outline, knee_x + lines.barrel, lines.knee_y, lines.barrel)
+        _side_below_knee(outline, knee_x + lines.barrel, lines.knee_y, lines.barrel, lines.slit)
         below = lines.knee_y
+    elif lines.slit:
+        below += min(lines.slit, _SLIT_SHARE * (lines.hip_y - below))
+        outline.line("slit", hem_x, below)
     fall = lines.hip_y - below
     lean = (knee_x - hem_x) / max(below - lines.hem_y, 1.0) if lines.knee_y is not None else 0.0
     lean = 0.0 if lines.barrel else lean
@@ -301,8 +312,12 @@ def _leg_and_side(lines: LegLines, hip: float, step: float) -> Outline:
     return outline
 
 
-def _side_below_knee(outline: Outline, x: float, y: float, barrel: float) -> None:
+def _side_below_knee(outline: Outline, x: float, y: float, barrel: float, slit: float) -> None:
     """Draws the side seam from the hem to a point at the knee, upright there where the leg is widest."""
+    if slit:
+        hem_x, hem_y = outline.at
+        share = min(slit / math.dist((x, y), (hem_x, hem_y)), _SLIT_SHARE)
+        outline.line("slit", hem_x + share * (x - hem_x), hem_y + share * (y - hem_y))
     if not barrel:
         outline.line("side", x, y)
         return

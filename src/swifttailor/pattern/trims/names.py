@@ -79,6 +79,9 @@ TRIMS: Mapping[str, str] = {
     "back buttons": "buttons down the back",
     "back lacing": "lacing down the back",
     "back bow": "a bow at the back",
+    "reflecting bands": "two bands of reflecting tape",
+    "asymmetric zip": "a zip aslant across the front",
+    "storm flap": "a flap over the right shoulder",
 }
 """By name, what each is for people. None joins panels, so none changes how a garment is cut or hangs."""
 LIKE_EACH_OTHER = (
@@ -90,6 +93,7 @@ LIKE_EACH_OTHER = (
         "polo placket",
         "half zip",
         "waist placket",
+        "asymmetric zip",
     ),
     ("tie belt", "buckle belt", "drawstring"),
     ("elastic waist", "back elastic"),

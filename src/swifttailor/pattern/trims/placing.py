@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 
 from swifttailor.pattern.pattern import Pattern
 from swifttailor.pattern.trims import (
+    across_front,
     across_middle,
     back_openings,
     belts,
@@ -23,6 +24,7 @@ from swifttailor.pattern.trims.diagonal_closing import diagonal_closing
 from swifttailor.pattern.trims.epaulettes import epaulettes
 from swifttailor.pattern.trims.keyholes import keyhole
 from swifttailor.pattern.trims.knee_patches import knee_patches
+from swifttailor.pattern.trims.reflecting_bands import reflecting_bands
 from swifttailor.pattern.trims.rips import frayed_hem, rips
 from swifttailor.pattern.trims.shapes import Trim
 from swifttailor.pattern.trims.side_stripes import side_stripes, sleeve_stripes
@@ -101,6 +103,9 @@ _PLACES: Mapping[str, Callable[[Chalk, str], list[Trim]]] = {
     "back buttons": back_openings.back_buttons,
     "back lacing": back_openings.back_lacing,
     "back bow": back_openings.back_bow,
+    "reflecting bands": reflecting_bands,
+    "asymmetric zip": across_front.asymmetric_zip,
+    "storm flap": across_front.storm_flap,
 }
 """How each of `names.TRIMS` is marked."""
 

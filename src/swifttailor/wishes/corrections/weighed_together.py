@@ -8,6 +8,7 @@ from collections.abc import Collection, Sequence
 from swifttailor.describing.claims import Claim
 from swifttailor.describing.differences import Gain
 from swifttailor.wishes.reader import SURE, Wish
+from swifttailor.wording.lexicon import Entry
 
 _BOTH_FACES = re.compile(
     r"(?:neck\w*|(?<!\w)v)[^.,;]{0,20}(?<!\w)"
@@ -40,6 +41,7 @@ _FROM_THE_KNEE = Gain(Claim("skirt", "fitted base"))
 _ABOVE_FLOUNCES = frozenset(
     [Gain(Claim("skirt_hem", end)) for end in ("micro", "mini", "above the knee", "knee", "below the knee")]
 )
+_WIDE_LEGS = frozenset({Gain(Claim("legs", "flared")), Gain(Claim("legs", "wide"))})
 _LOOSE = frozenset({Gain(Claim("fit", "loose")), Gain(Claim("fit", "oversized"))})
 _CLINGS = frozenset(
     {Gain(Claim("hips", "close")), Gain(Claim("skirt", "pencil")), Gain(Claim("fit", "close"))}
@@ -78,6 +80,12 @@ def without_flare(found: Sequence[Wish]) -> tuple[Wish, ...]:
     return tuple(
         [w for w in found if w.change not in less and (w.certainty >= SURE or w.change not in less_likely)]
     )
+
+
+def without_flared_legs(found: Sequence[Wish], meant: Collection[Entry]) -> tuple[Wish, ...]:
+    """Without legs that widen to the hem where what widens is the thigh, as of jodhpurs."""
+    bowed = any(option[0] == "bow" for entry in meant for draft in entry.drafts for option in draft.options)
+    return tuple([w for w in found if not (bowed and w.change in _WIDE_LEGS)])
 
 
 def _within_figures(found: Sequence[Wish]) -> tuple[Wish, ...]:

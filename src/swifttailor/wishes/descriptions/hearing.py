@@ -34,6 +34,7 @@ from swifttailor.wishes.corrections.weighed_together import (
     other_slits,
     weighed_all,
     without_flare,
+    without_flared_legs,
 )
 from swifttailor.wishes.descriptions.coats_by_length import coats_by_length
 from swifttailor.wishes.descriptions.kind_of_details import (
@@ -170,6 +171,7 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
         )
     found = within_the_name(without_wrong_kind(found, said, words), words)
     found = weighed_all(with_one_band(found, words), {i.claim for i in words.implications if not i.said})
+    found = without_flared_legs(found, [e for m in words.marks if not m.denied for e in m.entries])
     found = (*without_deep_cuffs(text, words, without_flare(found)), *of_both_faces(text, found))
     if any(claim == _BARE_ARMS for claim in never) and not any(
         isinstance(w.change, Gain) and w.change.claim.name in ("sleeves", "left_sleeve", "sleeve_cm")

@@ -26,6 +26,7 @@ from swifttailor.wishes.drafts.opened_drafts import opened_as_asked
 from swifttailor.wishes.drafts.oversized_drafts import oversized_as_asked
 from swifttailor.wishes.drafts.pleated_dresses import pleats_as_asked
 from swifttailor.wishes.drafts.refused_looks import as_not_refused
+from swifttailor.wishes.drafts.said_details import with_details
 from swifttailor.wishes.drafts.sailor_collars import asks_for_sailor_collar, with_sailor_collar
 from swifttailor.wishes.drafts.straight_edges import straight_as_said
 from swifttailor.wishes.drafts.tiers_as_asked import tiers_as_asked
@@ -102,6 +103,8 @@ def drafts_of(heard: Heard) -> tuple[NamedDraft, ...]:
     if asks_for_sailor_collar(entries):
         fitting = [with_sailor_collar(draft) for draft in fitting]
     fitting = [legs_as_said(draft, heard.text, _elastic(heard), heard.never) for draft in fitting]
+    lacks = frozenset([lack.what for lack in heard.lacks])
+    fitting = [with_details(draft, lacks, sure) for draft in fitting]
     fitting = [tiers_as_asked(godets_as_asked(draft, sure), sure) for draft in fitting]
     fitting = [bubble_as_asked(draft, heard.lacks, sure) for draft in fitting]
     fitting = [pleats_as_asked(draft, heard.lacks, sure) for draft in fitting]

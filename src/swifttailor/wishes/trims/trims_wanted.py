@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 _POCKETS = tuple(name for name in TRIMS if "pocket" in name)
 _BUTTONS = tuple(name for name in LIKE_EACH_OTHER[0] if "zip" not in name)
-_ZIPS = ("zip", "half zip", "back zip", "side zip", "fly")
+_ZIPS = ("zip", "half zip", "back zip", "side zip", "fly", "asymmetric zip")
 _BELTS = ("tie belt", "buckle belt")
 _KNEE_RIPS = ("knee rips", "left knee rip", "right knee rip")
 _FRILLS = ("neck frill", "sleeve frills", "hem frill", "front frills", "yoke frill")
@@ -48,7 +48,9 @@ TRIMS_OF: Mapping[str, tuple[str, ...]] = {
     "pleats": ("front pleats", "pleat lines"),
     "open_back": ("back ties", "back buttons", "back lacing"),
     "back_lacing": ("back lacing",),
-    "asymmetric_closing": ("diagonal closing",),
+    "asymmetric_closing": ("diagonal closing", "asymmetric zip"),
+    "reflective": ("reflecting bands",),
+    "storm_flap": ("storm flap",),
     "knee_patches": ("knee patches",),
     "keyhole": ("keyhole",),
     "keyhole_back": ("back keyhole",),

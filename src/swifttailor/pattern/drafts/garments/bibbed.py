@@ -16,7 +16,7 @@ from swifttailor.pattern.drafts.options import Option
 from swifttailor.pattern.drafts.outline import Outline
 from swifttailor.pattern.drafts.pleated_skirt import LEAST_PLEATS, sew_pleats_to_band
 from swifttailor.pattern.drafts.round_skirt import lay_dress_pleats
-from swifttailor.pattern.drafts.trousers import Trousers, lay_trousers, sew_legs
+from swifttailor.pattern.drafts.trousers import Trousers, lay_trousers, legs_of_bodice, sew_legs
 from swifttailor.pattern.pattern import Pattern
 
 
@@ -32,6 +32,7 @@ class BibOptions:
         float, Option("Room of the waistband on top of the waist girth.", "cm", 0.0, 12.0)
     ] = 4.0
     band_height: declared.BandHeight = 4.0
+    crossed: Annotated[bool, Option("Cross the straps behind.")] = False
 
 
 @dataclass(frozen=True)
@@ -43,19 +44,21 @@ class DungareesOptions(BibOptions):
     leg_ease: declared.LegEase = 16.0
     flare: declared.LegFlare = 0.0
     crotch_drop: Annotated[float, Option("Crotch of the trousers below the body's.", "cm", 0.5, 8.0)] = 2.5
+    stretch: declared.ClothStretch = 0.0
 
 
 def draft_dungarees(options: DungareesOptions, measurements: Measurements) -> Pattern:
     """Drafts dungarees for a body: trousers on a waistband, a bib in front, straps over bare shoulders."""
-    figure = Figure.of(measurements)
-    table = CuttingTable("dungarees")
+    figure = Figure.of(measurements).for_cloth(options.stretch / 100)
+    table = CuttingTable("dungarees", options.stretch / 100)
     lower = lay_bib(table, figure, _bib(options))
-    legs = Trousers(options.length, options.hip_ease, options.leg_ease, options.flare, options.crotch_drop)
+    cut = legs_of_bodice if options.stretch else Trousers
+    legs = cut(options.length, options.hip_ease, options.leg_ease, options.flare, options.crotch_drop)
     lay_trousers(table, figure, legs, lower, figure.waist_y - options.band_height)
     table.mirror()
     sew_legs(table)
     sew_trousers_to_band(table)
-    sew_bib(table)
+    sew_bib(table, crossed=options.crossed)
     return table.finish()
 
 
@@ -84,7 +87,7 @@ def draft_pinafore(options: PinaforeOptions, measurements: Measurements) -> Patt
         skirt = FittedSkirt(options.length, options.hip_ease, options.flare)
         lay_fitted_skirt(table, figure, skirt, lower, top)
         sew_skirt_to_band(table, SKIRT_HALVES)
-    sew_bib(table)
+    sew_bib(table, crossed=options.crossed)
     return table.finish()
 
 
@@ -111,9 +114,11 @@ def draft_apron(options: ApronOptions, measurements: Measurements) -> Pattern:
     outline.line("right_edge", -half - options.wider, low)
     table.lay("skirt_front", outline.closed(), label="leg", at=(0.0, 0.0, SKIRT_FRONT_Z))
     table.seam("wb_front.bottom", "skirt_front.waist")
-    sew_bib(table)
+    sew_bib(table, crossed=options.crossed)
     return table.finish()
 
 
 def _bib(options: BibOptions) -> Bib:
-    return Bib(options.strap_width, options.bib_height, options.waist_ease, options.band_height)
+    return Bib(
+        options.strap_width, options.bib_height, options.waist_ease, options.band_height, options.crossed
+    )

@@ -150,6 +150,7 @@ class BlazerOptions:
     sleeve_length: declared.SleeveLength = 59.0
     arm_ease: declared.ArmEase = 8.0
     sleeve_end: declared.SleeveEnd = 27.0
+    shoulder_extension: declared.ShoulderExtension = 0.0
 
 
 def draft_blazer(options: BlazerOptions, measurements: Measurements) -> Pattern:
@@ -179,7 +180,6 @@ class CoatOptions(BlazerOptions):
         Option("Collar: lapels, or one of those that shirts have."),
     ] = "lapels"
     collar_height: CollarHeight = 5.0
-    shoulder_extension: declared.ShoulderExtension = 0.0
     armhole: ArmholeCutOption = "set-in"
     wing: WingOption = 8.0
 
@@ -203,7 +203,7 @@ def _with_lapels(
     figure = Figure.of(measurements)
     table = CuttingTable(name)
     neckline = Neckline("v", options.neck_widening, options.neck_depth, 1.5)
-    extension = options.shoulder_extension if isinstance(options, CoatOptions) else 0.0
+    extension = options.shoulder_extension
     bodice = LooseBodice(
         neckline if collar is None else collar.neckline(neckline),
         options.chest_ease,

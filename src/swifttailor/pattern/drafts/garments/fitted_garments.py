@@ -267,15 +267,21 @@ class PeplumTopOptions(SleevedBodiceOptions):
 
     length: Annotated[float, Option("Waist seam to the hem of the peplum.", "cm", 10.0, 30.0)] = 18.0
     fraction: declared.CircleFraction = 0.8
+    collar: CollarOption = "none"
+    collar_width: declared.CollarWidth = 5.5
+    collar_height: CollarHeight = 4.0
 
 
 def draft_peplum_top(options: PeplumTopOptions, measurements: Measurements) -> Pattern:
     """Drafts the peplum top for a body: the skater dress with a skirt that ends at the hips."""
     figure = Figure.of(measurements).for_cloth(options.stretch / 100)
     table = CuttingTable("peplum-top", options.stretch / 100)
-    waist = lay_sleeved_bodice(table, figure, options)
+    collar = NeckCollar(options.collar, options.collar_width, options.collar_height)
+    waist = lay_sleeved_bodice(table, figure, options, collar.neckline(_neckline(options)))
+    collar.lay(table, figure)
     table.mirror()
     sew_centres(table)
+    collar.sew(table)
     lay_round_skirt(table, figure, RoundSkirt(options.length, options.fraction, 1.0), waist)
     return table.finish()
 

@@ -25,6 +25,7 @@ from swifttailor.pattern.drafts.shaped_sleeve import (
     RaglanOption,
     SleeveShape,
     SleeveShapeOption,
+    TrailingOption,
     WingOption,
     lay_shaped_sleeve,
 )
@@ -64,6 +65,7 @@ class RobeOptions:
     sleeve_length: declared.SleeveLength = 54.0
     arm_ease: WideArmEase = 30.0
     sleeve_end: WideSleeveEnd = 54.0
+    sleeve_shape: TrailingOption = "plain"
 
 
 def draft_robe(options: RobeOptions, measurements: Measurements) -> Pattern:
@@ -82,7 +84,7 @@ def draft_robe(options: RobeOptions, measurements: Measurements) -> Pattern:
         front_opening=options.opening if options.front_slit else 0.0,
     )
     sleeve = Sleeve(options.sleeve_length, options.arm_ease, options.sleeve_end, 0.01)
-    return _with_sleeves(table, figure, bodice, sleeve)
+    return _with_sleeves(table, figure, bodice, sleeve, options.sleeve_shape)
 
 
 @dataclass(frozen=True)
@@ -106,6 +108,7 @@ class HoodedCoatOptions:
     sleeve_end: declared.SleeveEnd = 32.0
     armhole: RaglanOption = "set-in"
     side_slits: declared.SideSlits = 0.0
+    sleeve_shape: TrailingOption = "plain"
 
 
 def draft_hooded_coat(options: HoodedCoatOptions, measurements: Measurements) -> Pattern:
@@ -128,7 +131,7 @@ def draft_hooded_coat(options: HoodedCoatOptions, measurements: Measurements) ->
     if options.sleeves:
         shape = (options.arm_ease, options.sleeve_end, 0.01, options.shoulder_extension)
         sleeve = Sleeve(options.sleeve_length, *shape)
-        lay_shaped_sleeve(table, figure, "plain", sleeve, options.armhole)
+        lay_shaped_sleeve(table, figure, options.sleeve_shape, sleeve, options.armhole)
     table.mirror()
     overlap_fronts(table, options.opening)
     sew_centres(table)

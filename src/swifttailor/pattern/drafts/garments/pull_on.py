@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Annotated
 
 from swifttailor.pattern.drafts import declared
@@ -39,9 +39,17 @@ class PullOnTrousersOptions:
     band_height: declared.BandHeight = 4.0
     waist_ease: declared.BandEase = 0.0
     below_waist: declared.BelowWaist = 0.0
+    back_rise: declared.BackRise = 0.0
 
 
-def draft_pull_on_trousers(options: PullOnTrousersOptions, measurements: Measurements) -> Pattern:
+@dataclass(frozen=True)
+class OpenPullOnTrousersOptions(PullOnTrousersOptions):
+    """Options of those without cuffs."""
+
+    side_slits: declared.LegSlits = 0.0
+
+
+def draft_pull_on_trousers(options: OpenPullOnTrousersOptions, measurements: Measurements) -> Pattern:
     """Drafts pull-on trousers for a body: no darts, an elastic waist's gathers instead."""
     figure = Figure.of(measurements)
     table = CuttingTable("pull-on-trousers")
@@ -85,7 +93,7 @@ def _bloused(figure: Figure, options: JoggersOptions) -> float:
 def _lay_legs(table: CuttingTable, figure: Figure, options: PullOnTrousersOptions, length: float) -> None:
     """Lays the waistband and the left leg; `length` from the body's waist to the leg's end, cm."""
     low = band_below_waist(figure, options.below_waist, options.band_height)
-    lay_body_waist_band(table, figure, options.band_height, options.waist_ease, low)
+    lay_body_waist_band(table, figure, options.band_height, options.waist_ease, low, options.back_rise)
     wide = figure.hips.eased(options.hip_ease - _SHAPED_CM)
     inseam = figure.crotch_y - (figure.waist_y - length)
     drop = min(options.crotch_drop, max(_LEAST_DROP_CM, _DROP_SHARE * inseam))
@@ -93,6 +101,8 @@ def _lay_legs(table: CuttingTable, figure: Figure, options: PullOnTrousersOption
     around_calves = options.leg_ease < ROOMY_CM and figure.waist_y - length < figure.knee_y - _BELOW_KNEE_CM
     share = SIDE_SHARE if around_calves else Trousers.side_share
     legs = Trousers(length, options.hip_ease, options.leg_ease, options.flare, drop, side_share=share)
+    if isinstance(options, OpenPullOnTrousersOptions):
+        legs = replace(legs, side_slit=options.side_slits)
     lay_trousers(table, figure, legs, wide, figure.waist_y - low - options.band_height)
 
 

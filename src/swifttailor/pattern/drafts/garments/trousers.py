@@ -45,6 +45,8 @@ class TrousersOptions:
     band_height: declared.BandHeight = 4.0
     waist_ease: declared.BandEase = 0.0
     below_waist: declared.BelowWaist = 0.0
+    side_slits: declared.LegSlits = 0.0
+    back_rise: declared.BackRise = 0.0
 
 
 def draft_trousers(options: TrousersOptions, measurements: Measurements) -> Pattern:
@@ -66,6 +68,8 @@ class JeansOptions:
     below_waist: declared.BelowWaist = 0.0
     bow: Bow = 0.0
     barrel: Barrel = 0.0
+    side_slits: declared.LegSlits = 0.0
+    back_rise: declared.BackRise = 0.0
     stretch: declared.ClothStretch = 0.0
 
 
@@ -85,6 +89,8 @@ class LeggingsOptions:
     crotch_drop: CrotchDrop = 0.0
     band_height: declared.BandHeight = 6.0
     below_waist: declared.BelowWaist = 0.0
+    side_slits: declared.LegSlits = 0.0
+    back_rise: declared.BackRise = 0.0
     stretch: declared.ClothStretch = 8.0
 
 
@@ -104,6 +110,8 @@ class FlaresOptions:
     crotch_drop: CrotchDrop = 0.5
     band_height: declared.BandHeight = 4.0
     below_waist: declared.BelowWaist = 0.0
+    side_slits: declared.LegSlits = 0.0
+    back_rise: declared.BackRise = 0.0
     stretch: declared.ClothStretch = 0.0
 
 
@@ -143,7 +151,8 @@ def _on_band(name: str, legs: Trousers, options: _OnBand, ease: float, measureme
     table = CuttingTable(name, stretch)
     height = options.band_height
     low = band_below_waist(figure, options.below_waist, height)
-    lower = lay_body_waist_band(table, figure, height, ease, low)
+    lower = lay_body_waist_band(table, figure, height, ease, low, options.back_rise)
+    legs = replace(legs, side_slit=options.side_slits)
     lay_trousers(table, figure, legs, lower, figure.waist_y - low - height)
     table.mirror()
     sew_legs(table)

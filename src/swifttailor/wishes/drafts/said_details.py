@@ -1,0 +1,70 @@
+"""Named drafts with what words say of legs, waistbands, straps and shoulders that no claim does."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from dataclasses import replace
+
+from swifttailor.describing.claims import Claim
+from swifttailor.pattern.drafts.draft_names import (
+    BACK_RISE,
+    CROSSED,
+    CROSSED_STRAPS,
+    LEG_SLITS,
+    SIDE_SLITS,
+    NamedDraft,
+)
+
+_LEGS = ("trousers", "jeans", "leggings", "flares", "pull-on-trousers")
+"""Drafts whose legs end open."""
+_BANDED = (*_LEGS, "joggers")
+_SHORT_CM, _CALF_CM = 60.0, 86.0
+_SLITS_CM = (9.0, 7.0, 16.0)
+"""Length of the slits of shorts, of legs that end at the calf, and of long ones."""
+_RISE_CM = 4.0
+"""How much higher a waistband is in the middle of the back."""
+_BIBBED = ("dungarees", "pinafore", "apron")
+_LOOSE = frozenset({Claim("fit", "loose"), Claim("fit", "oversized"), Claim("legs", "wide")})
+_DUNGAREES, _ROOMY = "dungarees", {"hip_ease": 14.0, "leg_ease": 30.0, "flare": 2.0, "crotch_drop": 4.0}
+_PADS = "shoulder_pads"
+_SHOULDERED, _BEYOND = ("blazer", "coat"), ("shoulder_extension", 4.5)
+"""How far beyond the shoulder tips jackets with padded shoulders reach, cm."""
+_TRAILING, _TRAILS = "trailing_sleeves", ("sleeve_shape", "trailing")
+_MAY_TRAIL = (
+    *("robe", "hooded-coat", "shift-dress", "swing-dress", "fitted-dress", "skater-dress", "shirt-dress"),
+    *("mermaid-dress", "drop-waist-dress", "t-shirt", "turtleneck", "fitted-top", "peplum-top", "cardigan"),
+)
+_LONG_CM = 58.0
+
+
+def with_details(draft: NamedDraft, lacks: Collection[str], claims: Collection[Claim]) -> NamedDraft:
+    """A draft with legs that are slit, a waistband that rises behind, straps that cross, as a text has them.
+
+    Args:
+        draft: As it was asked for otherwise.
+        lacks: Keys of ``cannot.txt`` that the text asks for or the name of the garment means.
+        claims: What is told.
+    """
+    more: dict[str, float | bool | str] = {}
+    options = dict(draft.options)
+    if LEG_SLITS in lacks and draft.name in _LEGS:
+        length = float(options.get("length", _CALF_CM + 1))
+        more[SIDE_SLITS] = _SLITS_CM[0 if length <= _SHORT_CM else 1 if length <= _CALF_CM else 2]
+    if BACK_RISE in lacks and draft.name in _BANDED:
+        more[BACK_RISE] = _RISE_CM
+    if CROSSED_STRAPS in lacks and draft.name in _BIBBED:
+        more[CROSSED] = True
+    if draft.name == _DUNGAREES and not options.get("stretch") and not _LOOSE.isdisjoint(claims):
+        short = float(options.get("length", _CALF_CM)) <= _SHORT_CM
+        more |= {name: max(own, float(options.get(name, own))) for name, own in _ROOMY.items() if not short}
+    if _PADS in lacks and draft.name in _SHOULDERED:
+        more[_BEYOND[0]] = max(_BEYOND[1], float(options.get(_BEYOND[0], 0.0)))
+    if _TRAILING in lacks and draft.name in _MAY_TRAIL:
+        more |= {
+            _TRAILS[0]: _TRAILS[1],
+            "sleeve_length": max(_LONG_CM, float(options.get("sleeve_length", 0.0))),
+        }
+        more |= {"sleeves": True} if draft.name not in ("robe", "t-shirt", "cardigan") else {}
+        more |= {"cuffs": False} if draft.name == "shirt-dress" else {}
+        more["arm_ease"] = min(float(options.get("arm_ease", 8.0)), 16.0)
+    return replace(draft, options=tuple({**options, **more}.items())) if more else draft
