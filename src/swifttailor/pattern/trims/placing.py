@@ -24,6 +24,7 @@ from swifttailor.pattern.trims.keyholes import keyhole
 from swifttailor.pattern.trims.knee_patches import knee_patches
 from swifttailor.pattern.trims.rips import frayed_hem, rips
 from swifttailor.pattern.trims.shapes import Trim
+from swifttailor.pattern.trims.side_panels import side_panels
 from swifttailor.pattern.trims.side_stripes import side_stripes, sleeve_stripes
 from swifttailor.pattern.trims.stirrups import stirrups
 
@@ -68,9 +69,12 @@ _PLACES: Mapping[str, Callable[[Chalk, str], list[Trim]]] = {
     "hem frill": decorations.hem_frill,
     "hem fringe": decorations.hem_frill,
     "edging": decorations.edging,
+    "piping": decorations.edging,
+    "bands": decorations.edging,
     "lace trim": decorations.edging,
     "side stripes": side_stripes,
     "sleeve stripes": sleeve_stripes,
+    "side panels": side_panels,
     "neck bow": decorations.neck_bow,
     "waist bow": decorations.waist_bow,
     "shoulder bows": decorations.shoulder_bows,
