@@ -33,6 +33,8 @@ BELTED = ("coat", "jeans", "shirt-dress", "circle-skirt")
 APRON = "apron"
 FLAT = (
     "edging",
+    "piping",
+    "bands",
     "lace trim",
     "neck rib",
     "armhole ribs",

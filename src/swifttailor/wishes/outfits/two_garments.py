@@ -163,7 +163,7 @@ class _Outfit:
                 words = f" {bare(words, self._words.language)}"
             shown.append(words)
             before = owner
-        return "".join([*shown, *behind])
+        return re.sub(r"\s+(?=,)", "", "".join([*shown, *behind]))
 
     def _find_owners(self) -> list[str]:
         """For each chunk a half, ``both``, ``none``, or ``beside`` where it only names a further garment."""
