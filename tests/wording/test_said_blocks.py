@@ -17,7 +17,7 @@ from swifttailor.wording.lexicon import read_words
         ("jersey, yellow with black side panels", "yellow", {"side_panels": "black"}),
         ("two tone jacket, green with cream sleeves", "green", {"sleeves": "cream"}),
         (
-            "tracksuit bottoms, navy, white stripes down the sleeves and legs",
+            "track pants, navy, white stripes down the sleeves and legs",
             "navy",
             {"side_stripes": "white"},
         ),

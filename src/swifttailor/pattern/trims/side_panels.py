@@ -31,7 +31,7 @@ def side_panels(chalk: Chalk, name: str) -> list[Trim]:
 
 
 def _inside(panel: Panel, seam: Floats, width: float) -> Floats | None:
-    """A line (n, 2) beside a seam (n, 2), so far inside of a panel as there is room, cm; None where is none."""
+    """A line (n, 2) beside a seam (n, 2), so far inside of a panel as there is room, cm; else None."""
     import shapely
 
     outline = panel.outline(0.01)
