@@ -35,6 +35,8 @@ BELTED = ("coat", "jeans", "shirt-dress", "circle-skirt")
 APRON = "apron"
 FLAT = (
     "edging",
+    "piping",
+    "bands",
     "lace trim",
     "neck lace",
     "neck rib",

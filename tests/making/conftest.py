@@ -57,6 +57,8 @@ TRIMMED = {
     "tunic": ("shirt-dress", ("patch pockets", "slant pockets")),
     "dirndl": ("skater-dress", ("neck frill", "lacing", "apron", "hem frill")),
     "blouse": ("shirt", ("neck bow", "sleeve frills", "edging")),
+    "piped shirt": ("shirt", ("piping",)),
+    "banded dress": ("shift-dress", ("bands", "side panels")),
     "sundress": ("strappy-dress", ("shoulder bows",)),
     "vest": ("tank-top", ("neck rib", "armhole ribs", "hem rib")),
     "pyjama bottoms": ("pull-on-trousers", ("elastic waist",)),

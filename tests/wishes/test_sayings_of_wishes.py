@@ -257,3 +257,20 @@ def test_a_network_adds_nothing_that_words_speak_against(reader, text, never):
 )
 def test_what_is_answered_or_likened_is_put_plainly(text, plain):
     assert without_asides(text) == plain
+
+
+@pytest.mark.parametrize(
+    ("text", "plain"),
+    [
+        ("a top, 100% cotton", "a top, cotton"),
+        ("a skirt 10% longer", "a skirt 10% longer"),
+        ("she doesnt like her arms showing", "with three quarter sleeves"),
+        ("a dress, I hate my upper arms", "a dress, with three quarter sleeves"),
+        ("something to hide my knees", "hem below the knee"),
+        ("for my cousins summer wedding", "for wedding guest"),
+        ("batwing jumper off one shoulder", "batwing jumper with a slouchy wide neckline"),
+        ("bodysuit with orange panels", "bodysuit with orange side panels"),
+    ],
+)
+def test_what_would_be_read_as_something_else_is_put_plainly(text, plain):
+    assert without_asides(text) == plain

@@ -3,6 +3,7 @@
 import pytest
 
 from swifttailor.tailor import Order
+from swifttailor.tailor.color_of_set import color_of_set
 from swifttailor.wishes.outfits.two_garments import two_garments
 from swifttailor.wording.lexicon import read_words
 from swifttailor.wording.lexicon.outfits import _outfits
@@ -22,7 +23,33 @@ TWO = [
     ("suit with a pencil skirt", "blazer", "a pencil skirt"),
     ("a grey suit with a waistcoat", "a grey blazer", "grey tailored trousers"),
     ("suit: jacket, waistcoat and trousers", "jacket", "trousers"),
-    ("pyjama set of camisole and shorts", "camisole", "shorts"),
+    ("pyjama set of camisole and shorts", "camisole", "pyjama shorts"),
+    ("crop top and matching skirt, tropical print", "tropical print crop top", "skirt, tropical print"),
+    ("sweatpants and sweatshirt, sage", "sweatshirt, sage", "sweatpants, sage"),
+    ("cropped hoodie and joggers set, lilac", "cropped hoodie, lilac", "joggers, lilac"),
+    ("scrub top and bottoms, teal, v neck", "scrub top, teal, v neck", "scrub bottoms, teal"),
+    (
+        "silk pyjama set with piping, navy shirt and trousers",
+        "navy silk long sleeved pyjama shirt with piping",
+        "silk navy pyjama trousers with piping",
+    ),
+    (
+        "trousers with a yoke, coral, and a matching camisole",
+        "a coral camisole",
+        "trousers with a yoke, coral",
+    ),
+    (
+        "track suit, navy, stripes down the sleeves and legs",
+        "tracksuit jacket, navy, stripes down the sleeves",
+        "tracksuit bottoms, navy, stripes down the legs",
+    ),
+    (
+        "tunic, knee length, with a belt, over brown breeches",
+        "tunic, knee length, with a belt",
+        "brown breeches",
+    ),
+    ("red skirt and a top, white", "a top, white", "red skirt"),
+    ("a jumper and jeans, red", "a jumper", "jeans, red"),
     ("white karate suit", "white gi top", "white gi trousers"),
     ("red lehenga choli", "red choli", "red lehenga"),
     ("white shirt black trousers", "white shirt", "black trousers"),
@@ -155,3 +182,16 @@ def test_an_order_for_a_part_is_about_its_words_and_keeps_the_wish():
     assert order.words == order.title == "a black skirt"
     assert order.to_json()["text"] == "a white blouse and a black skirt"
     assert Order("a white blouse and a black skirt").words == "a white blouse and a black skirt"
+
+
+@pytest.mark.parametrize(
+    ("text", "shared"),
+    [
+        ("power suit with a pencil skirt", True),
+        ("crop top and skirt set", True),
+        ("navy suit", False),  # says its own
+        ("a blouse and a skirt", False),
+    ],
+)
+def test_a_set_without_a_colour_is_all_in_one(text, shared):
+    assert (color_of_set(two_garments(text)) is not None) == shared

@@ -516,7 +516,6 @@ def test_another_garment_beneath_is_told(text, told):
     ("text", "what"),
     [
         ("a jacket with two tails", "tails"),
-        ("a mod shift, colour block", "color_blocks"),
         ("a coat with toggles", "toggles"),
         ("a jacket with huge shoulders", "shoulder_pads"),
         ("trousers with zip-off legs", "zip_off"),

@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 from swifttailor.garment.cloth_color import cloth_color
+from swifttailor.garment.color_blocks import block_panels
 from swifttailor.pattern.names import body_region
 from swifttailor.pattern.panel_parts import Part, named_part
 from swifttailor.render.color import GREY, to_linear
@@ -20,6 +21,8 @@ if TYPE_CHECKING:
     from swifttailor.garment.garment import Garment
     from swifttailor.pattern import Panel, Pattern
 
+BLOCKS = "blocks"
+"""What is in the second of two colours, whichever panels that is."""
 LOOKS = "looks"
 """What a report calls them."""
 OPACITIES: Mapping[str, float] = {
@@ -43,8 +46,10 @@ _PARTS: Mapping[str, tuple[frozenset[Part], str]] = {
     "all": (frozenset(Part), ""),
     "left_half": (frozenset(Part) - {Part.WAISTBAND}, r"(^|_)(left|l)(_|$)"),
     "right_half": (frozenset(Part) - {Part.WAISTBAND}, r"(^|_)(right|r)(_|$)"),
+    BLOCKS: (frozenset(), ""),
     "bodice": (_UPPER, ""),
     "skirt": (_SKIRT, ""),
+    "lower_half": (_SKIRT | _LEGS, ""),
     "legs": (_LEGS, ""),
     "left_leg": (_LEGS, r"(^|_)(left|l)(_|$)"),
     "right_leg": (_LEGS, r"(^|_)(right|r)(_|$)"),
@@ -86,8 +91,9 @@ TRIMS_OF_PARTS: Mapping[str, tuple[str, ...]] = {
     "drawstring": ("drawstring", "neck cord"),
     "frills": ("neck frill", "sleeve frills", "hem frill", "front frills", "yoke frill"),
     "fringe": ("hem fringe",),
-    "edging": ("edging", "lace trim", "neck lace"),
+    "edging": ("edging", "piping", "bands", "lace trim", "neck lace"),
     "side_stripes": ("side stripes", "sleeve stripes"),
+    "side_panels": ("side panels",),
     "bow": ("neck bow", "waist bow", "shoulder bows", "back bow", "back ties"),
     "lacing": ("lacing", "back lacing"),
     "apron": ("apron",),
@@ -151,6 +157,8 @@ def panels_of(pattern: Pattern, part: str) -> tuple[str, ...]:
     """
     if part not in _PARTS:
         return ()
+    if part == BLOCKS:
+        return block_panels({panel.name: _part(panel) for panel in pattern.panels})
     kinds, name = _PARTS[part]
     found = [p for p in pattern.panels if _part(p) in kinds]
     if not name:

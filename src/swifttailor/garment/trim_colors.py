@@ -31,6 +31,7 @@ _LOOKS_COLORED: Mapping[str, tuple[str, ...]] = {
     "fringe": ("cloth",),
     "edging": ("cloth",),
     "side_stripes": ("cloth",),
+    "side_panels": ("cloth",),
     "bow": ("cloth",),
     "lacing": ("dark",),
     "apron": ("cloth",),
@@ -39,10 +40,11 @@ _LOOKS_COLORED: Mapping[str, tuple[str, ...]] = {
 _COLORS = {"metal": "#8d8f94", "leather": "#4a3226", "hole": "#a9a097"}
 _IN_ANOTHER: Mapping[str, tuple[str, str]] = {
     "apron": ("#f3efe6", "#e2dccf"),
-    "edging": ("#f3efe6", "#33415c"),
+    **dict.fromkeys(("edging", "piping", "bands"), ("#f3efe6", "#33415c")),
     "lace trim": ("#f3efe6", "#c9bfae"),
     "neck lace": ("#f3efe6", "#c9bfae"),
     "side stripes": ("#f3efe6", "#26324a"),
+    "side panels": ("#f3efe6", "#26324a"),
     "sleeve stripes": ("#f3efe6", "#26324a"),
     "reflecting bands": ("#d5d9dc", "#b4bac0"),
 }

@@ -12,6 +12,12 @@ _FULLNESS = 1.8
 """How many times as long as its edge a strip is that is gathered."""
 _RIB_SHARE = 0.85
 """Length of a ribbed band over that of its edge."""
+_STRIPS = {
+    "edging": "ribbon or braid",
+    "piping": "piping cord in bias binding",
+    "bands": "strips of the other cloth",
+}
+"""What is sewn along edges."""
 _TITLES: Mapping[str, str] = {
     "neck rib": "Ribbed band at the neck",
     "armhole ribs": "Ribbed bands at the armholes",
@@ -23,6 +29,8 @@ _TITLES: Mapping[str, str] = {
     "hem fringe": "Fringe",
     "frayed hem": "Frayed hems",
     "edging": "Edging",
+    "piping": "Piping",
+    "bands": "Bands along the edges",
     "lace trim": "Lace",
     "side stripes": "Stripes down the sides",
     "sleeve stripes": "Stripes down the sleeves",
@@ -137,6 +145,11 @@ _OTHERS: Mapping[str, tuple[str, str]] = {
         "Cut the marked piece twice, with allowances. Sew both together but for shoulder and armhole, turn "
         "them, and catch these edges in the seams there.",
     ),
+    "side panels": (
+        "Side panels",
+        "Cut the marked pieces from the other cloth, with allowances, and the panels so much narrower; "
+        "sew them to each other before the side seams.",
+    ),
     "apron": (
         "Apron",
         "Cut the marked piece once more, with allowances. Hem its sides and lower edge, and catch its upper "
@@ -188,5 +201,5 @@ def _frill(frill: Frill) -> str:
             f"Sew ribbon {2 * frill.depth:.1f} cm wide over the seams, {length:.0f} cm in all, along both of "
             "its edges, before what lies across its ends is sewn."
         )
-    what = "fringe" if frill.kind == "threads" else "ribbon or braid" if frill.trim == "edging" else "lace"
+    what = "fringe" if frill.kind == "threads" else _STRIPS.get(frill.trim, "lace")
     return f"Sew {length:.0f} cm of {what}, {frill.depth:.1f} cm wide, along the finished edges."

@@ -30,6 +30,7 @@ from swifttailor.recutting.alter import Alteration, alter
 from swifttailor.recutting.nearer import towards
 from swifttailor.recutting.one_sided import asks_for_one_side
 from swifttailor.recutting.to_the_figure import to_the_figures
+from swifttailor.tailor.color_of_set import color_of_set
 from swifttailor.tailor.looking import SeenPicture
 from swifttailor.tailor.order import Order, one_line
 from swifttailor.tailor.seen_wishes import LEAST_CUT, LEAST_CUT_OF_DRAFT
@@ -132,7 +133,8 @@ class Wanted:
             return self.seen_color.rgb
         order = self.order
         kept = order.color or cloth_color(order.edit) if order.edit is not None else None
-        return self.heard.color or kept
+        shared = color_of_set(order.outfit) if order.is_of_two else None
+        return shared or self.heard.color or kept
 
     @property
     def print(self) -> ClothPrint | None:

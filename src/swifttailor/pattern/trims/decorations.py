@@ -9,7 +9,7 @@ import numpy as np
 
 from swifttailor.pattern.pattern import EdgeRef
 from swifttailor.pattern.trims.chalk import Chalk
-from swifttailor.pattern.trims.free_edges import armhole_edges, hem_edges, neck_edges, sleeve_ends
+from swifttailor.pattern.trims.free_edges import armhole_edges, hem_edges, leg_ends, neck_edges, sleeve_ends
 from swifttailor.pattern.trims.front_view import front_edge
 from swifttailor.pattern.trims.shapes import Bow, Frill, StripKind, Trim
 
@@ -19,8 +19,9 @@ _FRONT_FRILL, _FRILLED_LEAST = 4.5, 15.0
 """Depth of frills down the front, and the shortest seam that has them, cm."""
 _TURNED_BACK = 4.0
 """Height of turned-up ends of sleeves, cm."""
-_EDGING, _LACE_TRIM, _NECK_LACE, _RIB, _HEM_RIB = 1.3, 3.5, 4.0, 2.0, 3.0
-"""How wide edging, lace and ribbed bands are, cm."""
+_EDGINGS = {"edging": 1.3, "piping": 0.5, "bands": 5.0, "lace trim": 3.5}
+_NECK_LACE, _RIB, _HEM_RIB = 4.0, 2.0, 3.0
+"""How wide edgings, lace around necks and ribbed bands are, cm."""
 _BOW, _BOW_TAIL = 15.0, 17.0
 _BELOW_SHOULDER, _SHOULDER_BOW, _SHOULDER_TAIL = 3.0, 11.0, 10.5
 """Bows on shoulders: how far below their highest point, how wide, and how long their ends are, cm."""
@@ -83,10 +84,17 @@ def hem_frill(chalk: Chalk, name: str) -> list[Trim]:
 
 
 def edging(chalk: Chalk, name: str) -> list[Trim]:
-    """A narrow strip along neck, hem and ends of sleeves; lace is wider, and not around a collar."""
-    of_lace, pattern = name == "lace trim", chalk.pattern
-    edges = (*neck_edges(pattern), *hem_edges(pattern), *(() if of_lace else sleeve_ends(pattern)))
-    return _along(chalk, name, tuple(dict.fromkeys(edges)), _LACE_TRIM if of_lace else _EDGING, "flat")
+    """A strip along neck, hem and ends of sleeves or legs.
+
+    No lace lies at ends of sleeves, and no wide bands along hems where there is a neck.
+    """
+    pattern = chalk.pattern
+    neck, hem, sleeves = neck_edges(pattern), hem_edges(pattern), sleeve_ends(pattern)
+    hem = () if name == "bands" and neck else hem
+    edges = (*neck, *hem, *(() if name == "lace trim" else sleeves))
+    if not edges:
+        edges = (*leg_ends(pattern, "l")[0], *leg_ends(pattern, "r")[0])
+    return _along(chalk, name, tuple(dict.fromkeys(edges)), _EDGINGS[name], "flat")
 
 
 def neck_lace(chalk: Chalk, name: str) -> list[Trim]:

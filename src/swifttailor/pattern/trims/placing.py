@@ -27,6 +27,7 @@ from swifttailor.pattern.trims.knee_patches import knee_patches
 from swifttailor.pattern.trims.reflecting_bands import reflecting_bands
 from swifttailor.pattern.trims.rips import frayed_hem, rips
 from swifttailor.pattern.trims.shapes import Trim
+from swifttailor.pattern.trims.side_panels import side_panels
 from swifttailor.pattern.trims.side_stripes import side_stripes, sleeve_stripes
 from swifttailor.pattern.trims.stirrups import stirrups
 from swifttailor.pattern.trims.yoke_frill import yoke_frill
@@ -74,10 +75,13 @@ _PLACES: Mapping[str, Callable[[Chalk, str], list[Trim]]] = {
     "yoke frill": yoke_frill,
     "hem fringe": decorations.hem_frill,
     "edging": decorations.edging,
+    "piping": decorations.edging,
+    "bands": decorations.edging,
     "lace trim": decorations.edging,
     "neck lace": decorations.neck_lace,
     "side stripes": side_stripes,
     "sleeve stripes": sleeve_stripes,
+    "side panels": side_panels,
     "neck bow": decorations.neck_bow,
     "waist bow": decorations.waist_bow,
     "shoulder bows": decorations.shoulder_bows,

@@ -13,8 +13,9 @@ from swifttailor.pattern.trims.shapes import Frill, Trim
 _HALF = 1.3
 """How wide a stripe is on either side of its seam, cm."""
 _SLEEVE = re.compile(r"(left|right)_sleeve_[fb]$")
-_LEG = re.compile(r"pant_[fb]_[lr]$")
-_SIDE = re.compile(r"skirt_(front|back)|(left|right)_[fb]torso$")
+LEG = re.compile(r"pant_[fb]_[lr]$")
+SIDE = re.compile(r"skirt_(front|back)|(left|right)_[fb]torso$")
+"""Panels of legs, and those that have side seams."""
 _STEEP = 0.7
 """A seam that runs down does so by at least such a part of its length."""
 
@@ -22,9 +23,9 @@ _STEEP = 0.7
 def side_stripes(chalk: Chalk, name: str) -> list[Trim]:
     """Down the outside of both legs, or down both sides of a skirt, dress or top."""
     pattern = chalk.pattern
-    if any(_LEG.match(panel.name) for panel in pattern.panels):
-        return _stripes(chalk, name, _outer_seams(pattern, _LEG))
-    return _stripes(chalk, name, _outer_seams(pattern, _SIDE))
+    if any(LEG.match(panel.name) for panel in pattern.panels):
+        return _stripes(chalk, name, outer_seams(pattern, LEG))
+    return _stripes(chalk, name, outer_seams(pattern, SIDE))
 
 
 def sleeve_stripes(chalk: Chalk, name: str) -> list[Trim]:
@@ -47,7 +48,7 @@ def _stripes(chalk: Chalk, name: str, seams: list[tuple[EdgeRef, EdgeRef]]) -> l
     return found
 
 
-def _outer_seams(pattern: Pattern, panels: re.Pattern[str]) -> list[tuple[EdgeRef, EdgeRef]]:
+def outer_seams(pattern: Pattern, panels: re.Pattern[str]) -> list[tuple[EdgeRef, EdgeRef]]:
     """Seams between front and back that lie farthest out on their side and run down."""
     found = []
     for pair in _seams(pattern, panels):

@@ -55,6 +55,12 @@ _TALK = _any_of(
     r"(?:sandwich|coffee|tea|cake|pizza|dinner|lunch|breakfast|website)",
     r"(?:schreib|écris|escribe)\w*(?:-moi)?(?: mir)? (?:ein|un|une) \w+",
 )
+_AGAIN = _any_of(
+    r"(?:than|as|like) (?:the )?(?:last time|before|last one|previous one|previously|my last (?:order|one))",
+    r"(?:the )?same (?:again|as (?:last time|before|usual))|(?:the|my) usual",
+    r"another (?:one )?(?:like (?:it|that)|please)",
+)
+"""What speaks of a garment that was had before, and does not name it."""
 _STORY = 22
 """Words of a text that may speak of a refund and still wish for a garment."""
 
@@ -73,4 +79,6 @@ def is_an_errand(text: str, *, names_a_garment: bool) -> bool:
     """
     if len(text.split()) > _STORY:
         return False
-    return _SERVICE.search(text) is not None or (not names_a_garment and _TALK.search(text) is not None)
+    if _SERVICE.search(text) is not None:
+        return True
+    return not names_a_garment and any(of.search(text) is not None for of in (_TALK, _AGAIN))

@@ -21,6 +21,12 @@ _JOINERS: dict[Language, str] = {
 }
 _ADJECTIVE_ENDS = ("ed", "less", "y", "ing", "al", "e")
 """Of words for details that stand before what they are said of: pleated, floaty, flowing."""
+_IN_ING = ("piping", "edging", "binding", "braiding", "lacing", "smocking", "ruching")
+"""Endings of things that would be taken for such."""
+_ADDS = re.compile(
+    r"(?<!\w)(?:over|under|with|plus|then|also)(?!\w)|[,;]\s*(?:and|und|et|y)(?!\w)", re.IGNORECASE
+)
+"""What joins another garment or a detail, and no adjective to others."""
 _SAID_OF_BOTH = re.compile(
     r"[\s,;:.(]*(?:and |und |et |y )?(?:both|all|everything|each|the (?:whole )?set|beides?|alles|les deux"
     r"|ambos|ambas|todo)(?!\w)",
@@ -74,7 +80,8 @@ def chunks_of(text: str, words: WordReading, apart: Callable[[Sequence[WordMark]
             found[-1] = Chunk(found[-1].start, end, found[-1].joined, found[-1].marks)
             continue
         chunk = Chunk(start, end, start > 0, marks)
-        goes_on = found and not _BESIDE.search(text[start:begun]) and _goes_on(found[-1], chunk)
+        between = text[start:begun]
+        goes_on = found and not _BESIDE.search(between) and _goes_on(found[-1], chunk, between)
         if goes_on and not apart((*found[-1].marks, *marks)):
             found[-1] = Chunk(found[-1].start, end, found[-1].joined, (*found[-1].marks, *marks))
         else:
@@ -113,13 +120,15 @@ def _ends(language: Language) -> re.Pattern[str]:
     return re.compile(rf"^(?:w/|(?:{words})(?![\w'’-]))|(?<![\w'’-])(?:{words}|{tail})$", re.IGNORECASE)
 
 
-def _goes_on(before: Chunk, chunk: Chunk) -> bool:
+def _goes_on(before: Chunk, chunk: Chunk, joined: str) -> bool:
     """Whether adjectives of one noun stand on both sides of what joins them: "a long, pleated skirt"."""
     if not before.marks or not chunk.marks:
         return False
     last, first = before.marks[-1], chunk.marks[0]
     if _category(last) in LOOKS and _category(first) in LOOKS:
         return True
+    if _ADDS.search(joined) is not None:  # "a tunic, knee length, over breeches"
+        return False
     determined = before.joined or before.marks[0].word.lower() in DETERMINERS
     adjectives = all(
         _category(mark) in _ADJECTIVES or mark.word.lower() in DETERMINERS for mark in before.marks
@@ -129,7 +138,8 @@ def _goes_on(before: Chunk, chunk: Chunk) -> bool:
 
 def _is_noun(mark: WordMark) -> bool:
     """Whether it is a detail by itself: a bow, a V neck."""
-    return _category(mark) == "styles" and not mark.word.lower().endswith(_ADJECTIVE_ENDS)
+    named = not mark.word.lower().endswith(_ADJECTIVE_ENDS) or mark.word.lower().endswith(_IN_ING)
+    return _category(mark) == "styles" and named
 
 
 def _may_follow(mark: WordMark) -> bool:

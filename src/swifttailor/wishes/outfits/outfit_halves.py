@@ -17,7 +17,7 @@ _KINDS = {"upper": frozenset({"top", "tunic"}), "lower": frozenset({"skirt", "tr
 _PARTS = {
     "upper": frozenset(
         "sleeves left_sleeve right_sleeve sleeve_head neckline back_neckline collar hood cuffs bodice "
-        "shoulders bust armholes straps peplum yoke".split()
+        "shoulders bust armholes straps peplum".split()
     ),
     "lower": frozenset("legs left_leg right_leg leg_cuffs skirt seat thigh crotch".split()),
 }

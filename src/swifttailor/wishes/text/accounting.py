@@ -43,6 +43,8 @@ _HIGH_NECKS = frozenset(
 _HIGH_WAISTS = frozenset({Claim("waist_seam", "empire"), Claim("rise", "high")})
 _SAME = {claim: group for group in (_HIGH_NECKS, _HIGH_WAISTS) for claim in group}
 """What one word may mean of one garment or another: a "high neck", a "high waist"."""
+_DIPPED = Claim("hem_shape", "high-low")
+"""What is short in one place and long in another."""
 _OF_THE_CUT = frozenset(["fits", "lengths", "styles", "parts"])
 _COMPARED = frozenset(
     "longer shorter wider narrower tighter looser bigger smaller deeper higher lower shallower fuller "
@@ -91,6 +93,8 @@ def unaccounted(
         if mark in opposed or any(start <= mark.start < end for start, end in told):  # named as such
             continue
         if any(0 <= mark.start - end <= 2 for end in numbers):
+            continue
+        if _DIPPED in claims and mark.entries[0].category == "lengths":  # "short in front and long behind"
             continue
         # What stands beside something that cannot be made says where that is: "a zip at the side".
         if any(near in lacking for near in words.marks[max(0, k - 2) : k + 3]):

@@ -9,6 +9,7 @@ if TYPE_CHECKING:
 
 _KNITS = frozenset({"jersey", "rib-knit", "sweatshirt", "ponte", "fleece"})
 """Cloths that collars, cuffs and bands usually are of."""
+SIDE_PANELS = "side_panels"
 STRIPES = "side_stripes"
 """Named by the parts that they run down, whose colour is not meant: "white stripes down the sleeves"."""
 PUT_ON = {
@@ -25,6 +26,7 @@ PUT_ON = {
     "braid": "edging",
     "lace": "edging",
     "side_stripes": STRIPES,
+    "side_panels": SIDE_PANELS,
     "ties": "bow",
 }
 """By key of what cannot be made of panels, what is put on for it."""
@@ -77,6 +79,11 @@ def part_of_garment(mark: WordMark) -> str | None:
 def put_on(mark: WordMark) -> str | None:
     """What is put on a garment for it, where it is something that is."""
     return next((PUT_ON[what] for e in mark.entries for what in e.cannot if what in PUT_ON), None)
+
+
+def contrasting(mark: WordMark) -> str | None:
+    """What is put on for a word that says that it is of another colour: "contrast piping"."""
+    return put_on(mark) if mark.word.lower().startswith("contrast") else None
 
 
 def is_way_of_cutting(mark: WordMark) -> bool:

@@ -16,8 +16,10 @@ from swifttailor.wording.lexicon.entries import Entry
 from swifttailor.wording.lexicon.inflection import Language
 from swifttailor.wording.lexicon.look_words import (
     PUT_ON,
+    SIDE_PANELS,
     STRIPES,
     category_of,
+    contrasting,
     is_cloth,
     is_detail,
     is_look,
@@ -27,6 +29,7 @@ from swifttailor.wording.lexicon.look_words import (
     part_of_garment,
     put_on,
 )
+from swifttailor.wording.lexicon.said_blocks import BLOCKS, blocks_named, second_color
 from swifttailor.wording.lexicon.vocabulary import vocabulary
 
 if TYPE_CHECKING:
@@ -91,7 +94,7 @@ def said_looks(text: str, marks: Sequence[WordMark], language: Language) -> tupl
         marks: Its words.
         language: Of the text.
     """
-    if not any(is_look(mark) or is_cloth(mark) or own_looks(mark) for mark in marks):
+    if not any(is_look(m) or is_cloth(m) or own_looks(m) or m.part == BLOCKS for m in marks):
         return ()
     reader = _Reader(text, marks, language)
     found: list[SaidLook] = []
@@ -101,7 +104,33 @@ def said_looks(text: str, marks: Sequence[WordMark], language: Language) -> tupl
         found += reader.by_name(k)
         if is_look(mark) or is_cloth(mark):
             found += reader.of_word(k)
-    return tuple(found)
+    return tuple(_with_blocks(found, marks))
+
+
+def _with_blocks(found: list[SaidLook], marks: Sequence[WordMark]) -> list[SaidLook]:
+    """The looks with a second colour on blocks, or on what is said to contrast.
+
+    Where none is named it is another than the garment's.
+    """
+    blocks = blocks_named(marks)
+    parts = [] if blocks is None else [(BLOCKS, blocks)]
+    parts += [(str(of), mark) for mark in marks if not mark.denied and (of := contrasting(mark)) is not None]
+    told = [look for look in found if look.cloth == "contrast" and look.color is None]
+    parts += [(look.part, mark) for look in told for mark in look.noun_marks]
+    if not parts:
+        return found
+    second = second_color(marks, found, [_color(marks, k) for k in range(len(marks))])
+    of_blocks = [look for look in found if blocks is not None and blocks in look.noun_marks]
+    found = [look for look in found if look not in of_blocks]
+    colored = {mark for look in found if look.color is not None for mark in look.noun_marks}
+    if second is not None:
+        shade = [marks[second - 1]] if second and any(e.shade for e in marks[second - 1].entries) else []
+        color, of = _color(marks, second), (*shade, marks[second])
+        new = [SaidLook(part, m.word, color, None, True, of, (m,)) for part, m in parts if m not in colored]
+        return [*[look for look in found if look not in told], *new]
+    if blocks is None or colored:  # "two tone, with cream sleeves"
+        return found
+    return [*found, SaidLook(BLOCKS, blocks.word, None, "contrast", True, (), (blocks,))]
 
 
 class _Reader:
@@ -206,7 +235,7 @@ class _Reader:
         if part is None or (is_way_of_cutting(noun) and self._is_of_garment_before(k)):
             return []
         found = [(last, part)]
-        while (after := self._joined(last)) is not None:
+        while part != STRIPES and (after := self._joined(last)) is not None:
             last = after
             found.append((last, self._part(self._marks[last]) or ""))
         return found
@@ -336,7 +365,7 @@ class _Reader:
             apart = mark.role in ("second", "theirs") and not is_outfit(mark)
             return part_of_garment(mark) or ("" if apart else None)
         over = put_on(mark)
-        return over if over == STRIPES else mark.part or over or ""
+        return over if over in (STRIPES, SIDE_PANELS) else mark.part or over or ""
 
     def _is_apart(self, j: int) -> bool:
         first, _, more = self._marks[j].word.lower().partition(" ")
