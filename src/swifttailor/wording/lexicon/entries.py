@@ -51,7 +51,7 @@ PRINTS: Mapping[str, tuple[str, ...]] = {
 }
 """Kinds of prints and their sizes, as `swifttailor.render` names them."""
 MOTIFS = (
-    *("flowers", "leaves", "blotches", "spots", "shapes", "bands"),
+    *("flowers", "blotches", "shapes", "bands"),
     *(
         "hearts",
         "stars",
@@ -81,7 +81,7 @@ MOTIFS = (
     *("leopard", "zebra", "tiger", "giraffe", "cowhide", "dalmatian", "scales", "crocodile"),
     *("tie_dye", "batik", "marble", "clouds", "bleach", "ikat"),
     *("palms", "paisley", "lozenges", "argyle", "patchwork", "serape", "medallions", "waves", "triangles"),
-    *("curls", "cables", "sequins", "pile", "foil", "channels", "fur"),
+    "sequins",
 )
 _SIZES = ("width", "gap", "angle", "spacing", "radius", "repeat")
 _PRINT_MARKS = (*_SIZES, "motif", "inks")
