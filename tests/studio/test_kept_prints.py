@@ -116,7 +116,7 @@ class _NoLink:
     [
         {"kind": "holes"},
         {"colors": ["#203050"]},
-        {"colors": ["#203050"] * 5},
+        {"colors": ["#203050"] * 7},
         {"colors": ["navy", "#ffffff"]},
         {"motif": "dragons"},
         {"sizes": {"spacing": 1e9}},
