@@ -18,7 +18,8 @@ _TORSO = ("left_ftorso", "right_ftorso", "left_btorso", "right_btorso")
 _LEGS = ("pant_f_l", "pant_f_r", "pant_b_l", "pant_b_r")
 _BELOW_ARMHOLE = 2.0
 """Bands of a torso stay so far below its underarm, cm."""
-_ROWS = 6
+_ROWS, _ACROSS = 11, 24
+"""Of the places at which a band is looked at, whether it lies on its panel."""
 
 
 def reflecting_bands(chalk: Chalk, name: str) -> list[Trim]:
@@ -64,6 +65,8 @@ def _band(chalk: Chalk, name: str, view: FrontView, low: float) -> list[Trim]:
         [(span[side] + inward * 0.05, float(y)) for span, y in zip(spans, heights, strict=True) if span]
         for side, inward in ((0, 1), (1, -1))
     ]
-    if not view.bridges([*sides[0], *sides[1]]):
+    ends = np.array(sides)
+    shares = np.linspace(0.0, 1.0, _ACROSS)[:, None, None]
+    if not view.bridges(((1.0 - shares) * ends[0] + shares * ends[1]).reshape(-1, 2)):
         return []
     return chalk.ruled(name, view.panel.name, sides[0], sides[1], to_the_edge=True)
