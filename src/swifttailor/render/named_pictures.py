@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from functools import cache
+from functools import lru_cache
 
 import numpy as np
 
@@ -22,7 +22,7 @@ def number_of(name: str) -> int:
     return BANDS + 1 + NAMED.index(name)
 
 
-@cache
+@lru_cache(maxsize=64)
 def named_picture(number: int) -> Array:
     """(NAMED_SIDE²,) int16: where on the ramp of its colours each cell of a motif lies (`ramps`).
 

@@ -92,7 +92,9 @@ class Chalk:
         """
         view = self.views[panel]
         ends = [np.array(line, float) for line in (first, second)]
-        if not to_the_edge and not (view.holds(np.concatenate(ends)) and view.bridges(_border(*ends))):
+        border = _border(*ends)
+        held = view.holds(np.concatenate(ends)) and view.bridges(border) and view.carries(border)
+        if not (to_the_edge or held):
             return []
         return [Patch(trim, panel, view.local(ends[0]), view.local(ends[1]), look, is_cut)]
 

@@ -22,6 +22,8 @@ _MARGIN = 0.4
 """Trims stay so far inside of what their panel covers, cm."""
 _EXACT = 0.01
 """How far its outline is from the panel's curves, and what lies on it may lie outside, cm."""
+_HANGING = 0.005
+"""So much of a piece may lie beside its panel."""
 _STEEP = 2.0
 """An edge that rises so many times as far as it goes aside runs down the front."""
 _MIDDLE = 3.0
@@ -111,6 +113,13 @@ class FrontView:
         from shapely import intersects_xy
 
         return bool(np.all(intersects_xy(self._bridged, np.asarray(points, float))))
+
+    def carries(self, border: ArrayLike) -> bool:
+        """Whether a piece with this border (n, 2) in the view lies on it, over no godet."""
+        from shapely import Polygon
+
+        piece = Polygon(border)
+        return piece.is_valid and piece.difference(self._bridged).area <= _HANGING * piece.area
 
     def holds(self, points: ArrayLike) -> bool:
         """Whether all points (n, 2) of the view lie on it, away from its sides but for the middle one."""

@@ -15,6 +15,8 @@ _WIDTH, _WIDEST = 6.5, 0.55
 _POINTS = 15
 _SLACK, _LEAST = 0.04, 0.05
 """How exactly a piece lies on its panel, and how narrow it gets, cm."""
+_SMALLEST = 1.0
+"""What is smaller is no panel, cm2."""
 
 
 def side_panels(chalk: Chalk, name: str) -> list[Trim]:
@@ -44,4 +46,6 @@ def _inside(panel: Panel, seam: Floats, width: float) -> Floats | None:
         runs = [each for each in getattr(run, "geoms", [run]) if each.distance(shapely.Point(x, y)) < _SLACK]
         rows.append(max([each.length for each in runs], default=0.0))
     away = np.maximum(np.array(rows) - 2 * _SLACK, _LEAST)
-    return seam + np.stack([way * away, np.zeros(len(seam))], axis=1) if max(rows) > 1.0 else None
+    inner = seam + np.stack([way * away, np.zeros(len(seam))], axis=1)
+    piece = shapely.Polygon([*seam, *inner[::-1]])  # of a seam that runs across, nothing
+    return inner if max(rows) > 1.0 and piece.is_valid and piece.area > _SMALLEST else None

@@ -15,6 +15,8 @@ _WAVE, _SWING = 3.0, 0.7
 _BESIDE, _FOLD = 0.8, 0.12
 """How far it stays inside of the armhole, and half the width of the lines that are its folds, cm."""
 _NARROWEST = 6.0
+_LEVELS = 6
+"""In so many rows it is looked at how wide a panel is where the frill hangs."""
 
 
 def yoke_frill(chalk: Chalk, name: str) -> list[Trim]:
@@ -35,7 +37,7 @@ def _half(chalk: Chalk, name: str, view: FrontView, sign: float) -> list[Trim]:
     s, panel = chalk.size, view.panel.name
     top = chalk.shoulder - _BELOW_SHOULDER * s
     low = top - (_DEPTH + _SWING) * s
-    spans = [view.span(y) for y in (top, low)]
+    spans = [view.span(float(y)) for y in np.linspace(top, low, _LEVELS)]  # armholes may bulge between
     if any(span is None for span in spans):
         return []
     reach = [sorted((sign * span[0], sign * span[1])) for span in spans if span is not None]
@@ -48,6 +50,8 @@ def _half(chalk: Chalk, name: str, view: FrontView, sign: float) -> list[Trim]:
     border = top - _DEPTH * s + _SWING * s * np.cos(2.0 * np.pi * waves * shares)
     upper = [(float(x), top) for x in across]
     lower = [(float(x), float(y)) for x, y in zip(across, border, strict=True)]
+    if not view.holds(np.array([*upper[2:], *lower[2:]])):  # all but what runs on to the middle
+        return []
     strip = chalk.ruled(name, panel, lower, upper, to_the_edge=True)
     folds: list[Trim] = []
     for at in range(4, 8 * waves, 8):
