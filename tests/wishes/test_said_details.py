@@ -47,6 +47,18 @@ def test_drafts_have_them_and_can_be_drafted(name, lack, option):
     assert with_details(plain, (), ()) == plain
 
 
+def test_sleeves_that_are_asked_to_be_puffed_do_not_trail():
+    draft = NamedDraft("skater-dress", (("sleeve_shape", "puffed"), ("sleeves", True)))
+    kept = with_details(draft, ["trailing_sleeves"], [Claim("sleeve_shape", "puffed")])
+    assert dict(kept.options)["sleeve_shape"] == "puffed"
+
+
+@pytest.mark.parametrize("which", ["trumpet", "bell", "wide"])
+def test_wide_sleeves_to_the_floor_are_of_the_arms_alone(which):
+    found = read_words(f"medieval gown with {which} sleeves to the floor")
+    assert not any(i.claim == Claim("skirt", "fitted base") for i in found.implications)
+
+
 def test_loose_dungarees_have_loose_legs():
     made = dict(with_details(NamedDraft("dungarees"), (), {Claim("fit", "loose")}).options)
     assert made["leg_ease"] >= 30.0

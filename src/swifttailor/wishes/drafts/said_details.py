@@ -34,6 +34,8 @@ _MAY_TRAIL = (
     *("robe", "hooded-coat", "shift-dress", "swing-dress", "fitted-dress", "skater-dress", "shirt-dress"),
     *("mermaid-dress", "drop-waist-dress", "t-shirt", "turtleneck", "fitted-top", "peplum-top", "cardigan"),
 )
+_FULL_ABOVE = frozenset({Claim("sleeve_shape", "puffed"), Claim("sleeve_shape", "balloon")})
+"""Who asks for these has none that trail, whatever the name of the garment means."""
 _LONG_CM = 58.0
 
 
@@ -59,7 +61,7 @@ def with_details(draft: NamedDraft, lacks: Collection[str], claims: Collection[C
         more |= {name: max(own, float(options.get(name, own))) for name, own in _ROOMY.items() if not short}
     if _PADS in lacks and draft.name in _SHOULDERED:
         more[_BEYOND[0]] = max(_BEYOND[1], float(options.get(_BEYOND[0], 0.0)))
-    if _TRAILING in lacks and draft.name in _MAY_TRAIL:
+    if _TRAILING in lacks and draft.name in _MAY_TRAIL and _FULL_ABOVE.isdisjoint(claims):
         more |= {
             _TRAILS[0]: _TRAILS[1],
             "sleeve_length": max(_LONG_CM, float(options.get("sleeve_length", 0.0))),
