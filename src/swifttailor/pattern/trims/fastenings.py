@@ -92,6 +92,8 @@ def buttons(chalk: Chalk, name: str) -> list[Trim]:
     if name == "waist placket":
         low = max(low, chalk.waist)
     bottom, top = low + _FROM_HEM, high - _FROM_NECK
+    if name == "waist placket" and top <= bottom:  # a front that is open down to the waist
+        return []
     on_skirt = 0.0 if name in _ABOVE_WAIST else _skirt_length(chalk)
     heights, radius = _row(bottom, top, spacing, radius, _shared(chalk, top - bottom, on_skirt))
     row = [chalk.button(name, right.panel, (_middle(chalk, right.panel, -1, y), y), radius) for y in heights]
