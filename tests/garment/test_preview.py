@@ -1,5 +1,7 @@
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -116,3 +118,14 @@ def test_body_is_a_closed_surface(body):
     surface = body_surface(body)
     assert surface.back_color is None and not len(border_edges(surface.faces))
     assert np.abs(np.ptp(surface.vertices, axis=0) - np.ptp(body.vertices, axis=0)).max() < 4.0
+
+
+def test_silk_shines_more_than_cotton_and_satin_and_metals_more_than_silk():
+    tube = sleeve_around((0.0, 100.0, 0.0), 10.0, 30.0)
+
+    def shine(cloth: str | None, color: str = RED) -> float:
+        seen = cloth_surface(replace(tube, cloth=cloth, color=color))
+        return seen.sheen + seen.gloss
+
+    assert shine("cotton") < shine("silk") < shine("satin") < shine(None, "#c9a227")
+    assert shine("cotton", "#c9a227") == shine("cotton")

@@ -15,6 +15,7 @@ from cloth_distance import away_from_cloth
 from scipy.spatial import KDTree
 from sewn_tube import edge_counts
 
+from swifttailor.garment.cloth_print import CUSHIONS, ClothPrint
 from swifttailor.garment.garment import Garment
 from swifttailor.garment.glb import glb_bytes
 from swifttailor.garment.obj import obj_text
@@ -289,3 +290,10 @@ def test_stirrups_run_from_the_ends_of_the_legs_under_the_feet():
         assert strap.vertices[:, 1].min() < 0.0 < strap.vertices[:, 1].max()
         assert (side * strap.vertices[:, 0]).min() > 0.0
         assert areas(strap).min() > 0.1
+
+
+def test_cushions_that_are_drawn_have_the_lines_of_quilting():
+    garment = with_trims(worn("bomber-jacket"), "quilting")
+    cushions = ClothPrint("motif", ("#111725", "#1f2a44", "#2d3d62"), {"repeat": 34.0}, CUSHIONS)
+    assert trim_surfaces(garment) and not trim_surfaces(replace(garment, print=cushions))
+    assert trim_surfaces(replace(garment, print=cushions), "#ab252e"), "in another colour nothing is printed"

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from swifttailor.wishes.looks.heard_print import asks_for_plain, heard_print, print_line
-from swifttailor.wishes.looks.naps import nap_of
+from swifttailor.wishes.looks.naps import nap_of, puffed
 from swifttailor.wishes.text.lexicon_spelling import guessed_name, lexicon_spelling
 from swifttailor.wording.lexicon import foreign_language, read_words
 
@@ -127,7 +127,7 @@ def test_holes_and_sequins_are_in_the_colour_of_their_cloth(text, kind, colors):
         ("pale blue pyjamas with small dogs on it", "dogs", "#bcd4e6"),
         ("qipao in red with gold pattern", "medallions", "#ab252e"),
         ("black robe with a silver pattern", "medallions", "#000000"),
-        ("navy dress with a little pattern", "flowers", "#1f2a44"),
+        ("navy dress with a little pattern", "sprigs", "#1f2a44"),
         ("surcoat with a white cross on red", "crosses", "#ab252e"),
     ],
 )
@@ -183,3 +183,42 @@ def test_a_spiral_goes_through_colours_that_divide_its_six():
 )
 def test_the_face_of_cloth_is_drawn(text, nap):
     assert nap_of(read_words(text)) == nap
+
+
+@pytest.mark.parametrize(
+    ("text", "shown", "first", "second"),
+    [
+        ("dress with tiny flowers", "sprigs", "#f4f1e8", "#b0485a"),
+        ("housecoat, little blue flowers", "sprigs", "#f4f1e8", "#365c96"),
+        ("white dress with small pink flowers", "sprigs", "#ffffff", "#f2a9bb"),
+        ("maybe navy, with a little pattern", "sprigs", "#1f2a44", "#f4f1e8"),
+        ("red dress with tiny white dots", "dots", "#ab252e", "#ffffff"),
+        ("black dress with big white polka dots", "dots", "#000000", "#ffffff"),
+        ("a small blue dotted dress", "dots", "#365c96", "#f4f1e8"),
+        ("mini skirt plaid pleated like in clueless", "plaid", "#ebc436", "#f6edc4"),
+        ("Cher Horowitz suit", "plaid", "#ebc436", "#f6edc4"),
+        ("red tartan skirt like in Clueless", "plaid", "#ab252e", None),
+    ],
+)
+def test_small_figures_and_checks_of_films(text, shown, first, second):
+    found = heard_print(text, read_words(text))
+    assert found is not None and shown in (found.kind, found.motif)
+    assert found.colors[0] == first and second in (None, found.colors[1])
+
+
+def test_sizes_before_colours_are_those_of_the_figures():
+    radii = [
+        heard_print(text, read_words(text)).size("radius")
+        for text in ("red with tiny white dots", "red with white dots", "red with big white dots")
+    ]
+    assert radii == [0.15, 0.8, 2.5]
+    assert heard_print("I am clueless, a skirt", read_words("I am clueless, a skirt")) is None
+
+
+@pytest.mark.parametrize("color", ["#1f2a44", "#ab252e", "#17151a", "#f4f1e8"])
+def test_cushions_are_of_the_hue_of_their_cloth(color):
+    cloth = puffed(color, 8.5)
+    parts = [[int(one[k : k + 2], 16) / 255 for k in (1, 3, 5)] for one in cloth.colors]
+    hues = [(max(rgb) - min(rgb)) / max(rgb) for rgb in parts]
+    assert cloth.ground == color and max(parts[0]) < max(parts[1]) <= max(parts[2])
+    assert max(hues) - min(hues) < 0.08, "no greyer"

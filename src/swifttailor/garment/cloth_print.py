@@ -19,6 +19,10 @@ if TYPE_CHECKING:
 PRINT = "print"
 """What a report calls it."""
 KINDS = ("stripes", "checks", "plaid", "dots", "motif")
+NAPS = ("curls", "cables", "sequins", "pile", "foil", "channels", "fur")
+"""Motifs that are the face of cloth of one colour, their second: hollows darker, what stands out lighter."""
+CUSHIONS = "channels"
+"""That of puffed cloth, which has the lines of quilting."""
 MOTIFS = (
     *("flowers", "leaves", "blotches", "spots", "shapes", "bands"),
     *(
@@ -50,7 +54,8 @@ MOTIFS = (
     *("leopard", "zebra", "tiger", "giraffe", "cowhide", "dalmatian", "scales", "crocodile"),
     *("tie_dye", "batik", "marble", "clouds", "bleach", "ikat"),
     *("palms", "paisley", "lozenges", "argyle", "patchwork", "serape", "medallions", "waves", "triangles"),
-    *("curls", "cables", "sequins", "pile", "foil", "channels", "fur"),
+    *NAPS,
+    "sprigs",
 )
 TEXTURE_SIDE = 2048
 """Pixels: a millimetre or two of cloth each."""
@@ -82,6 +87,11 @@ class ClothPrint:
     dots, ``repeat`` of motifs, ``angle``: 0 runs around the body, 90 down it."""
     motif: str = "shapes"
     """One of `MOTIFS`."""
+
+    @property
+    def ground(self) -> str:
+        """The colour that the cloth itself has, ``#rrggbb``."""
+        return self.colors[int(self.kind == "motif" and self.motif in NAPS)]
 
     def size(self, name: str) -> float:
         """A size, or what is usual."""

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from swifttailor.render.prints import KnownPrint
 
 _SHEEN = {
-    "silk": 0.14,
+    "silk": 0.2,
     "satin": 0.28,
     "denim": 0.06,
     "twill": 0.08,
@@ -30,8 +30,14 @@ _SHEEN = {
     "polyester": 0.13,
     "swimwear": 0.16,
 }
-_GLOSS = {"silk": 0.02, "satin": 0.13, "leather": 0.25, "polyester": 0.02, "swimwear": 0.05}
+_GLOSS = {"silk": 0.06, "satin": 0.13, "leather": 0.25, "polyester": 0.02, "swimwear": 0.05}
 """Of cloths that shine otherwise than cotton does."""
+_METALS = frozenset({"#c9a227", "#c0c0c0", "#8c5a3c", "#b76e79", "#b08d57", "#b87333"})
+"""Gold, silver, bronze, rose gold, brass and copper: who names them wants cloth that shines like them."""
+_METAL_SHEEN, _METAL_GLOSS = 0.30, 0.22
+_MATT = frozenset(
+    {"cotton", "linen", "wool", "denim", "jersey", "fleece", "twill", "knit", "corduroy", "tweed"}
+)
 _WOVEN, _REPEATS_CM = ("stripes", "checks", "plaid"), 48.0
 """Prints that go through to the wrong side, and a width over which they repeat."""
 ON_DARK = -1.3
@@ -204,6 +210,7 @@ def _surface(
 ) -> Surface:
     """The surface of some faces (m, 3); `shown` (f,) tells them among the garment's, None: all of them."""
     at = None if printed is None else cloth_at(garment)
+    metal = printed is None and garment.color in _METALS and garment.cloth not in _MATT
     return Surface(
         garment.vertices,
         faces,
@@ -211,17 +218,17 @@ def _surface(
         inside,
         lines=lines,
         lift=0.35,
-        sheen=_SHEEN.get(garment.cloth or "", 0.10),
-        gloss=_GLOSS.get(garment.cloth or "", 0.0),
+        sheen=_METAL_SHEEN if metal else _SHEEN.get(garment.cloth or "", 0.10),
+        gloss=_METAL_GLOSS if metal else _GLOSS.get(garment.cloth or "", 0.0),
         print=None if printed is None else printed.drawn(),
         print_at=at if at is None or shown is None else at[shown],
     )
 
 
 def _wrong_side(printed: ClothPrint) -> Array:
-    """(3,) linear light: of what is printed the first colour, of what is woven the mean of all."""
+    """(3,) linear light: of what is printed the ground, of what is woven the mean of all."""
     if printed.kind not in _WOVEN:
-        return to_linear(printed.colors[0])
+        return to_linear(printed.ground)
     across = np.linspace(0.0, _REPEATS_CM, 64)
     return printed.drawn().colors(np.stack(np.meshgrid(across, across), axis=-1).reshape(-1, 2)).mean(axis=0)
 

@@ -10,9 +10,11 @@ import numpy as np
 from swifttailor.arrays import Array
 from swifttailor.body.mannequin import mannequin
 from swifttailor.compiled_loop import CompiledLoop
+from swifttailor.garment.cloth_print import CUSHIONS
 from swifttailor.garment.cloth_surfaces import ON_DARK, cloth_surfaces
 from swifttailor.garment.sheer_figure import SheerFigure
 from swifttailor.garment.trim_colors import is_dark, trim_color
+from swifttailor.pattern.trims.quilting import QUILTING
 from swifttailor.render.backdrop import wall
 from swifttailor.render.color import BACKGROUND, BODY, Color, encode_srgb, to_linear
 from swifttailor.render.framing import frame_views
@@ -47,6 +49,9 @@ def trim_surfaces(garment: Garment, color: Color | None = None) -> list[Surface]
         strength = ON_DARK if is_dark(trim_color(garment, "cloth", color)) else 0.5
         lines = (LineSet(mesh.lines, strength=strength, width=1.1),) if len(mesh.lines) else ()
         own = not np.array_equal(look, trim_color(garment, mesh.look, color))
+        cushions = color is None and not own and garment.print is not None and garment.print.motif == CUSHIONS
+        if mesh.trim == QUILTING and cushions:
+            continue  # the print has its lines; these would lie beside them, ragged where cloth folds
         printed = garment.print if color is None and mesh.cloth_at is not None and not own else None
         surfaces.append(
             Surface(

@@ -76,7 +76,7 @@ def trim_color(
     """
     ground = garment.color or cloth_color(garment.pattern) if color is None else color
     if color is None and garment.print is not None:
-        ground = garment.print.colors[0]
+        ground = garment.print.ground
     if color is None and garment.looks:
         own = _own_color(garment, look, trim)
         if own is not None:

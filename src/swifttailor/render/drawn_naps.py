@@ -13,17 +13,21 @@ from swifttailor.arrays import Array
 from swifttailor.render.motifs import smooth_noise
 from swifttailor.render.ramps import NAMED_SIDE, RAMP, cells, even_noise
 
-_SEQUINS = 16
+_SEQUINS = 20
+_SPARKLES = 0.05
+"""Share of sequins that throw back the light: more of them would be another colour from afar."""
 CHANNELS = 4
 """Cushions of puffed cloth in a repeat."""
-_CURLS = 30.0
+_STITCHED = 0.02
+"""Half the width of a line of stitches, as a part of a cushion."""
+_CURLS = 72.0
+"""Across a repeat: finer than previews show, so that fleece is soft and has no pebbles."""
 
 
 def curls() -> Array:
-    """Fleece and teddy: short curls, all of about one size."""
-    chance = np.random.default_rng(41)
-    field = even_noise(chance, _CURLS, spread=0.3)
-    return RAMP * (1.0 + 0.95 * np.tanh(1.2 * field))
+    """Fleece and teddy: short curls that lie no way more than another."""
+    field = even_noise(np.random.default_rng(41), _CURLS, spread=0.4)
+    return RAMP * (1.0 + 0.9 * np.tanh(field))
 
 
 def cables() -> Array:
@@ -43,15 +47,16 @@ def cables() -> Array:
 
 
 def sequins() -> Array:
-    """Small discs side by side, a few of which throw back the light."""
+    """Small discs side by side, a few of which throw back the light; their mean is the colour asked for."""
     x, y = cells()
     row = np.floor(_SEQUINS * y)
     column = _SEQUINS * x + 0.5 * (row % 2)
     away = np.hypot(column % 1.0 - 0.5, (_SEQUINS * y) % 1.0 - 0.5)
     chance = np.random.default_rng(42)
-    shine = chance.choice([0.35, 0.8, 1.1, 2.0], (_SEQUINS, _SEQUINS), p=[0.2, 0.35, 0.25, 0.2])
+    shares = [0.25, 0.45, 0.3 - _SPARKLES, _SPARKLES]
+    shine = chance.choice([0.86, 1.0, 1.1, 2.0], (_SEQUINS, _SEQUINS), p=shares)
     lit = shine[row.astype(np.int64), np.floor(column).astype(np.int64) % _SEQUINS]
-    return RAMP * np.where(away < 0.46, lit, 0.0)
+    return RAMP * np.where(away < 0.46, lit, 0.75)
 
 
 def pile() -> Array:
@@ -64,13 +69,14 @@ def pile() -> Array:
 
 
 def channels() -> Array:
-    """Puffed cloth: four cushions one above the other, lit from above, with creases at their seams."""
-    chance = np.random.default_rng(46)
+    """Puffed cloth: four cushions one above the other, lit from above, with stitches between."""
     _, y = cells()
     up = (CHANNELS * y) % 1.0
-    lit = -np.cos(np.pi * up) * np.sin(np.pi * up) ** 0.35
-    creases = even_noise(chance, 16.0, spread=0.6) * np.abs(up - 0.5) ** 1.5
-    return RAMP * np.clip(1.0 + 0.9 * lit + 0.6 * creases, 0.0, 2.0)
+    # Softer than the stitches, so that small pictures show an even shade where they lie.
+    shade = 0.7 * np.exp(-up / 0.13) + 0.5 * np.exp(-(1.0 - up) / 0.08)
+    lit = 0.75 * np.exp(-(((up - 0.6) / 0.2) ** 2))
+    stitched = np.minimum(up, 1.0 - up) < _STITCHED
+    return RAMP * np.where(stitched, 0.0, np.clip(1.0 + lit - shade, 0.0, 2.0))
 
 
 def foil() -> Array:

@@ -139,6 +139,7 @@ PrintMotif = Literal[
     "foil",
     "channels",
     "fur",
+    "sprigs",
 ]
 PrintSize = Literal["width", "gap", "spacing", "radius", "repeat", "angle"]
 PrintColors = Annotated[list[Color], Field(min_length=2, max_length=6)]

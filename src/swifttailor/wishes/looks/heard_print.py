@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from swifttailor.garment.cloth_print import KINDS, ClothPrint
 from swifttailor.wishes.looks.print_inks import (
@@ -19,7 +19,8 @@ from swifttailor.wishes.looks.print_inks import (
     usual_inks,
 )
 from swifttailor.wishes.text.mentions import find_mentions
-from swifttailor.wording.lexicon import WordMark, WordReading
+from swifttailor.wording.lexicon import WordMark, WordReading, read_words
+from swifttailor.wording.lexicon.entries import NamedPrint
 
 _ON = re.compile(r"(?<!\w)(?:on|against|auf|sur|sobre|su|op|em)(?:\s+(?:a|an|the))?\s*$", re.IGNORECASE)
 _WITH = re.compile(r"(?<!\w)(?:with|mit|avec|à|con|in|met|com)\s*$", re.IGNORECASE)
@@ -62,6 +63,10 @@ _LEAST_APART = 45.0
 """Difference in brightness of two colours from which one is seen on the other, 0 to 255."""
 _BUFFALO_CM = 4.5
 """So wide are the squares of checks of two colours on lumberjack shirts and the like."""
+_SIZED = re.compile(r"(?<!\w)(?P<size>tiny|little|small|big|large)\s+$", re.IGNORECASE)
+_JOINED = re.compile(r"(?:\s|,|&|(?<!\w)and(?!\w))+$", re.IGNORECASE)
+"""What may stand between a size, colours and the figures that have both."""
+_PERSONS = "persons.txt"
 _BEHIND = 24
 """Characters behind the name of a print in which its size may stand."""
 _VAGUE = frozenset("print prints printed patterned patterning mixed".split()) | {"a print", "all over print"}
@@ -81,6 +86,8 @@ def heard_print(text: str, words: WordReading) -> ClothPrint | None:
     # What is said of the print itself goes before what names of garments mean, "leopard" before "print".
     mark = min(marks, key=_vagueness)
     named = next(entry.print for entry in mark.entries if entry.print is not None)
+    apart = _sized(text, words, mark)
+    named = named if apart is None else apart
     sizes = dict(named.sizes) | _stated_sizes(text, mark, named.kind)
     if named.kind == "stripes" and "angle" not in sizes and _is_striped_down(words):
         sizes = dict.fromkeys(("width", "gap"), _SHIRTING_CM) | _unlike(sizes, "stripes") | {"angle": 90.0}
@@ -88,6 +95,8 @@ def heard_print(text: str, words: WordReading) -> ClothPrint | None:
     if turned is not None and named.kind in ("stripes", "checks", "plaid"):
         sizes["angle"] = turned
     colors = _named_colors(text, words, mark, named.kind)
+    if apart is not None and len(words.colors) == 1 and named.kind in ("dots", "motif"):
+        colors = [contrast(colors[-1]), colors[-1]]  # "little blue flowers"
     if named.kind == "plaid" and len(colors) == 2 and not _TARTANS.search(mark.word):
         width = sizes.get("spacing", _BUFFALO_CM * 2) / 2
         return ClothPrint("checks", tuple(colors), _without(sizes, "spacing") | {"width": width})
@@ -96,7 +105,7 @@ def heard_print(text: str, words: WordReading) -> ClothPrint | None:
         return ClothPrint("plaid", tonal_check(colors[0]), _without(sizes, "width") | {"spacing": spacing})
     if named.kind == "checks" and any(_kind(m) == "plaid" for m in marks):
         sizes["width"] = max(sizes["width"], _BUFFALO_CM)
-    inks = tuple([f"#{ink}" for ink in named.inks])
+    inks = tuple([f"#{ink}" for ink in named.inks or _inks_of_others(marks, named.kind)])
     return ClothPrint(
         named.kind, _colors(named.kind, named.motif, colors, inks), sizes, named.motif or "shapes"
     )
@@ -125,6 +134,37 @@ def print_line(found: ClothPrint) -> str:
 
 def _kind(mark: WordMark) -> str:
     return next((entry.print.kind for entry in mark.entries if entry.print is not None), "")
+
+
+def _sized(text: str, words: WordReading, mark: WordMark) -> NamedPrint | None:
+    """The print that figures have with a size that stands before their colours: "tiny white flowers"."""
+    first = mark.start
+    while True:
+        joined = len(_JOINED.sub("", text[:first]))
+        before = [m for m in words.color_marks if m.start < first and m.end == joined]
+        if not before:
+            break
+        first = before[0].start
+    size = _SIZED.search(text[:first])
+    if size is None or first == mark.start or not mark.word.endswith("s"):
+        return None
+    name = f"{size['size']} {mark.word}"
+    return next(
+        (
+            entry.print
+            for found in read_words(name).marks
+            if found.start == 0 and found.end == len(name)
+            for entry in found.entries
+            if entry.print is not None
+        ),
+        None,
+    )
+
+
+def _inks_of_others(marks: Sequence[WordMark], kind: str) -> tuple[str, ...]:
+    """The colours that what is named beside a print has it in: a plaid "like in Clueless" is yellow."""
+    known = [entry.print for m in marks for entry in m.entries if entry.place[0] == _PERSONS and entry.print]
+    return next((one.inks for one in known if one.kind == kind), ())
 
 
 def _is_striped_down(words: WordReading) -> bool:

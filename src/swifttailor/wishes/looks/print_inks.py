@@ -57,6 +57,7 @@ _PATCHED = frozenset({"zebra", "giraffe", "cowhide", "dalmatian"})
 """Whose marks are dark on light."""
 _OTHERS = {
     "flowers": ("#f4f1e8", "#b0485a", "#d9a0a8", "#5f8a5a"),
+    "sprigs": ("#f4f1e8", "#b0485a", "#d9a0a8", "#5f8a5a"),
     "leaves": ("#f4f1e8", "#3f6b46", "#7fa070", "#c2a25c"),
     "spots": ("#cfa56b", "#35261a", "#8a6238", "#5b4127"),
     "blotches": ("#6f7758", "#3c4530", "#a89e76", "#2b2b23"),
@@ -79,15 +80,17 @@ _INKS = FIGURES | _SKINS | _OTHERS
 _AS_NAMED = frozenset({"lozenges", "waves", "triangles"})
 """Of as many colours as are named, and no others."""
 SHADED = {
-    "curls": (0.74, 0.22),
+    "curls": (0.9, 0.08),
     "cables": (0.8, 0.3),
     "sequins": (0.6, 0.75),
     "pile": (0.72, 0.14),
     "foil": (0.6, 0.75),
-    "channels": (0.66, 0.3),
+    "channels": (0.55, 0.0),
     "fur": (0.68, 0.22),
 }
-"""The face of cloth, of one colour: how light its hollows are, and how much of white what stands out has."""
+"""The face of cloth, of one colour: how light its hollows are, and how much of white what stands out has;
+without any it is of the same hue, but brighter."""
+_MORE_LIGHT = 30
 
 
 def usual_inks(name: str) -> tuple[str, ...]:
@@ -107,7 +110,15 @@ def shades(name: str, color: str) -> tuple[str, ...]:
         color: ``#rrggbb``.
     """
     hollow, bright = SHADED[name]
-    return mixed(color, "#000000", hollow), color, mixed(_WHITE, color, bright)
+    dark = mixed(color, "#000000", hollow)
+    return dark, color, mixed(_WHITE, color, bright) if bright else _brighter(color)
+
+
+def _brighter(color: str) -> str:
+    """The same hue in more light: white mixed in would make navy grey."""
+    parts = [int(color[k : k + 2], 16) for k in (1, 3, 5)]
+    factor = min(max(parts) + _MORE_LIGHT, 255) / max(*parts, 1)
+    return "#" + "".join([f"{min(round(max(part, 1) * factor), 255):02x}" for part in parts])
 
 
 def motif_inks(name: str, named: Sequence[str]) -> tuple[str, ...]:

@@ -82,6 +82,7 @@ MOTIFS = (
     *("tie_dye", "batik", "marble", "clouds", "bleach", "ikat"),
     *("palms", "paisley", "lozenges", "argyle", "patchwork", "serape", "medallions", "waves", "triangles"),
     "sequins",
+    "sprigs",
 )
 _SIZES = ("width", "gap", "angle", "spacing", "radius", "repeat")
 _PRINT_MARKS = (*_SIZES, "motif", "inks")
