@@ -184,3 +184,21 @@ def test_bands_of_figures_lie_behind_all_that_lots_decide():
     assert set(np.unique(figures)) == {0, 1, 2, 3}
     assert (figures[:, : SIDE // 2] == figures[:, SIDE // 2 :]).all()
     assert len(np.unique(figures, axis=0)) > 8
+
+
+@pytest.mark.parametrize("angle", [0.0, 90.0])
+def test_stripes_finer_than_pixels_fade_to_their_mean(angle):
+    """They would beat against the pixels, and look like wood; wide ones stay as they are."""
+    corners = ((-60.0, -60.0, 0.0), (60.0, -60.0, 0.0), (-60.0, 60.0, 0.0))
+    camera = Camera(target=(-20.0, -20.0, 0.0), height=50.0)
+    spread = {}
+    for width, gap in ((0.4, 0.6), (8.0, 12.0)):
+        stripes = Stripes(RED, BLUE, width, gap, angle, grain=0.0)
+        plain = sheet(*corners)
+        at_corners = np.array(corners, np.float32)[None, :, :2]
+        surface = Surface(plain.vertices, plain.faces, print=stripes, print_at=at_corners)
+        picture, _ = render_view([surface], camera, (50, 50))
+        red = picture[10:40, 10:40, 0] / picture[10:40, 10:40].sum(axis=2)
+        spread[width] = float(np.ptp(red))
+        assert float(red.mean()) == pytest.approx(0.4 * RED[0] / 0.9 + 0.6 * 0.05 / 0.9, abs=0.05)
+    assert spread[0.4] < 0.25 < spread[8.0]
