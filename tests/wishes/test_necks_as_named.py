@@ -60,7 +60,8 @@ def test_a_mandarin_collar_is_open_in_front(reader, text, split):
     first, options = _first(text, reader)
     pattern = draft(first.name, **options)
     ends = {ref.panel for stitch in pattern.stitches for ref in stitch.sides if "collar_front" in ref.panel}
-    middle = [s for s in pattern.stitches if {r.panel for r in s.sides} == {"left_collar_front", "right_collar_front"}]
+    halves = {"left_collar_front", "right_collar_front"}
+    middle = [s for s in pattern.stitches if {ref.panel for ref in s.sides} == halves]
     assert ends and (not middle) is split
 
 

@@ -137,13 +137,13 @@ _OTHERS: Mapping[str, tuple[str, str]] = {
     ),
     "three side stripes": (
         "Three stripes down the sides",
-        "Sew the seams first. Lay a ribbon of 0.9 cm over each, one on either side of it as far away as it is "
-        "wide, and topstitch both edges of all three.",
+        "Sew the seams first. Lay a ribbon of 0.9 cm over each, one on either side of it as far away "
+        "as it is wide, and topstitch both edges of all three.",
     ),
     "three sleeve stripes": (
         "Three stripes down the sleeves",
-        "Sew the seams on top of the sleeves first. Lay a ribbon of 0.9 cm over each, one on either side of it "
-        "as far away as it is wide, and topstitch both edges of all three.",
+        "Sew the seams on top of the sleeves first. Lay a ribbon of 0.9 cm over each, one on either side of "
+        "it as far away as it is wide, and topstitch both edges of all three.",
     ),
     "asymmetric zip": (
         "Zip across the front",

@@ -98,7 +98,7 @@ def _covered(x, width, period):
 
 @njit(**FAST)
 def _band(x, width, gap, blur):
-    """Share of a band at x: 1 inside bands, 0 in the gaps between; the mean over `blur` cm where that is more."""
+    """Share of a band at x: 1 inside bands, 0 between; the mean over `blur` cm where that is more."""
     period = width + gap
     if blur > _SOFT_CM:
         return (_covered(x + blur / 2, width, period) - _covered(x - blur / 2, width, period)) / blur

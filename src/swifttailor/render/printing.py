@@ -7,7 +7,19 @@ from dataclasses import dataclass
 import numpy as np
 
 from swifttailor.arrays import Array
-from swifttailor.render.cloth_table import BLUR, CHECKS, COORDINATES, FOLDS, KIND, PLAID, SIZES, STRIPES, TableOfPrint, layers, new_table
+from swifttailor.render.cloth_table import (
+    BLUR,
+    CHECKS,
+    COORDINATES,
+    FOLDS,
+    KIND,
+    PLAID,
+    SIZES,
+    STRIPES,
+    TableOfPrint,
+    layers,
+    new_table,
+)
 from swifttailor.render.prints import bank_of
 from swifttailor.render.scene import Projection
 from swifttailor.render.surface import Surface
@@ -52,7 +64,7 @@ def paint_prints(projection: Projection, samples: int, *, few: bool) -> Paint:
 
 
 def _table(surface: Surface, pixel: float) -> Array:
-    """The row of a surface's print, whose bands are averaged where pixels of so many cm would beat against them."""
+    """The row of a surface's print; bands that pixels of so many cm would beat against are averaged."""
     if not isinstance(surface.print, TableOfPrint):
         return new_table(COORDINATES)
     table = surface.print.table()

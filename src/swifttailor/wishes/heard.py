@@ -13,9 +13,9 @@ from swifttailor.garment.cloth_print import ClothPrint
 from swifttailor.pattern.drafts.draft_names import ARMHOLES, NamedDraft
 from swifttailor.render.lab import lab_of_hex
 from swifttailor.wishes.drafts.heard_drafts import drafts_of
+from swifttailor.wishes.looks.color_of_bodies import color_of_body
 from swifttailor.wishes.looks.flecks import is_flecked
 from swifttailor.wishes.looks.heard_looks import NO_LOOKS, HeardLooks, heard_looks
-from swifttailor.wishes.looks.color_of_bodies import color_of_body
 from swifttailor.wishes.looks.heard_print import asks_for_plain, heard_print
 from swifttailor.wishes.looks.naps import nap_of
 from swifttailor.wishes.looks.ribs import ribs

@@ -21,13 +21,15 @@ from swifttailor.pattern.drafts.options import Option
 from swifttailor.pattern.drafts.stand_collar import lay_stand_collar, sew_collar
 from swifttailor.pattern.drafts.turned_collar import TurnedCollar, lay_turned_collar, sew_turned_collar
 
-SewnCollarShape = Literal["shirt", "folded", "flat", "sailor", "standing", "mandarin", "rolled", "revers", "hood"]
+SewnCollarShape = Literal[
+    "shirt", "folded", "flat", "sailor", "standing", "mandarin", "rolled", "revers", "hood"
+]
 CollarShape = Literal["none", SewnCollarShape]
 _SHAPES = (
     "shirt: a stand on a close neck, turned down over itself; folded: flat over a V neck 7 to 16 cm deep; "
     "flat: with rounded ends on a close neck; sailor: from the point of a V to a square on the back; "
-    "standing: on a close neck; mandarin: the same, open in front; rolled: the same, turned down over itself; revers: small lapels on a V neck "
-    "16 to 20 cm deep; hood: a hood instead."
+    "standing: on a close neck; mandarin: the same, open in front; rolled: the same, turned down over "
+    "itself; revers: small lapels on a V neck 16 to 20 cm deep; hood: a hood instead."
 )
 CollarOption = Annotated[CollarShape, Option(f"Collar. {_SHAPES}")]
 SewnCollarOption = Annotated[SewnCollarShape, Option(f"Collar. {_SHAPES}")]

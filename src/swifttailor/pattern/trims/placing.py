@@ -28,7 +28,12 @@ from swifttailor.pattern.trims.reflecting_bands import reflecting_bands
 from swifttailor.pattern.trims.rips import frayed_hem, rips
 from swifttailor.pattern.trims.shapes import Trim
 from swifttailor.pattern.trims.side_panels import side_panels
-from swifttailor.pattern.trims.side_stripes import side_stripes, sleeve_stripes, three_side_stripes, three_sleeve_stripes
+from swifttailor.pattern.trims.side_stripes import (
+    side_stripes,
+    sleeve_stripes,
+    three_side_stripes,
+    three_sleeve_stripes,
+)
 from swifttailor.pattern.trims.stirrups import stirrups
 from swifttailor.pattern.trims.yoke_frill import yoke_frill
 

@@ -6,10 +6,10 @@ import re
 
 import numpy as np
 
-from swifttailor.pattern.pattern import EdgeRef, Pattern
-from swifttailor.pattern.trims.chalk import Chalk
 from swifttailor.arrays import Floats
 from swifttailor.pattern.panel import Panel
+from swifttailor.pattern.pattern import EdgeRef, Pattern
+from swifttailor.pattern.trims.chalk import Chalk
 from swifttailor.pattern.trims.shapes import Frill, Patch, Trim
 
 _HALF = 1.3
@@ -71,7 +71,7 @@ def _stripes(chalk: Chalk, name: str, seams: list[tuple[EdgeRef, EdgeRef]]) -> l
 
 
 def _three(chalk: Chalk, name: str, seams: list[tuple[EdgeRef, EdgeRef]]) -> list[Trim]:
-    """Half of the middle one, and one of the others, on either side of each seam; nothing without room for all."""
+    """Half of the middle one, and one other, on either side of each seam; nothing without room for all."""
     wide = _ONE_OF_THREE * chalk.size
     found: list[Trim] = []
     for ref in [ref for pair in seams for ref in pair]:

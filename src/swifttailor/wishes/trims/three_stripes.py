@@ -12,14 +12,15 @@ _THREE: Mapping[str, str] = {
 THREE = tuple(_THREE.values())
 """The trims that are three stripes, side by side."""
 _SAID = re.compile(
-    r"(?<![\w-])(?:three|3|triple|drei|trois|tres|tre|três|drie)[ -]?(?:(?!(?:and|an?|with|und|mit|et|y|con|e|com|en|met)\b)[\w-]+ ){0,2}?"
+    r"(?<![\w-])(?:three|3|triple|drei|trois|tres|tre|três|drie)[ -]?"
+    r"(?:(?!(?:and|an?|with|und|mit|et|y|con|e|com|en|met)\b)[\w-]+ ){0,2}?"
     r"(?:stripe[sd]?|streifen|bandes|rayas|franjas|strisce|listras|riscas|strepen)(?!\w)",
     re.IGNORECASE,
 )
 
 
 def three_as_said(choices: Sequence[tuple[str, ...]], text: str) -> tuple[tuple[str, ...], ...]:
-    """Choices of trims with three stripes in place of each one, where a text counts them; one where no room is.
+    """Choices of trims with three stripes before each single one, where a text counts three.
 
     Args:
         choices: See `TrimWish.choices`.
