@@ -61,6 +61,8 @@ TRIMMED = {
     "yoked blouse": ("t-shirt", ("yoke frill", "neck lace")),
     "cape": ("cape", ("arm slits",)),
     "working vest": ("waistcoat", ("reflecting bands",)),
+    "track top": ("sweatshirt", ("three sleeve stripes",)),
+    "track bottoms": ("trousers", ("three side stripes", "back welt pockets")),
     "biker jacket": ("denim-jacket", ("asymmetric zip",)),
     "raincoat": ("coat", ("storm flap",)),
     "banded dress": ("shift-dress", ("bands", "side panels")),

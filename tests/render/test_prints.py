@@ -184,3 +184,18 @@ def test_bands_of_figures_lie_behind_all_that_lots_decide():
     assert set(np.unique(figures)) == {0, 1, 2, 3}
     assert (figures[:, : SIDE // 2] == figures[:, SIDE // 2 :]).all()
     assert len(np.unique(figures, axis=0)) > 8
+
+
+@pytest.mark.parametrize("angle", [0.0, 90.0])
+def test_stripes_finer_than_pixels_fade_to_their_mean(angle):
+    """They would beat against the pixels, and look like wood; wide ones stay as they are."""
+    plain = sheet((-10, -10, 0), (10, -10, 0), (10, 10, 0))
+    corners = plain.vertices[plain.faces][:, :, :2]
+    spread = {}
+    for width, gap in ((0.5, 0.7), (4.0, 4.0)):
+        stripes = Stripes(RED, BLUE, width, gap, angle, grain=0.0)
+        surface = Surface(plain.vertices, plain.faces, np.ones(3), print=stripes, print_at=corners)
+        picture = render_view([surface], Camera((0, 0, 0), 20.0), (20, 20), background=None, shadows=False)
+        inner = picture[2:-2, 2:-2, :3].astype(float)
+        spread[width] = float(np.ptp(inner[..., 0] / inner.sum(axis=2)))
+    assert spread[0.5] < 0.3 < 0.45 < spread[4.0]

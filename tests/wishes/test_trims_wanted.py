@@ -12,6 +12,7 @@ from swifttailor.pattern.trims import TRIMS
 from swifttailor.wishes.corrections.closed_behind import without_opposites
 from swifttailor.wishes.heard import Heard
 from swifttailor.wishes.reader import Wish
+from swifttailor.wishes.trims.three_stripes import THREE
 from swifttailor.wishes.trims.trims_wanted import TRIMS_OF, refused_trims, speaks_of_trims_alone, trims_wanted
 from swifttailor.wording import cannot_texts, read_words
 from swifttailor.wording.lexicon import all_entries
@@ -170,7 +171,11 @@ def test_trims_of_entries_stand_for_what_they_cannot_have():
     for entry in marked:
         for name in entry.trims:
             assert any(name in TRIMS_OF.get(what, ()) for what in entry.cannot), f"{entry.name}: {name}"
-    assert {name for entry in marked for name in entry.trims} >= set(TRIMS) - {"buckle belt", "drawstring"}
+    assert {name for entry in marked for name in entry.trims} >= set(TRIMS) - {
+        "buckle belt",
+        "drawstring",
+        *THREE,
+    }
 
 
 def test_edging_is_put_on_unasked_where_the_tables_give_it_to_a_name():

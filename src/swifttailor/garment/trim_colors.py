@@ -43,9 +43,9 @@ _IN_ANOTHER: Mapping[str, tuple[str, str]] = {
     **dict.fromkeys(("edging", "piping", "bands"), ("#f3efe6", "#33415c")),
     "lace trim": ("#f3efe6", "#c9bfae"),
     "neck lace": ("#f3efe6", "#c9bfae"),
-    "side stripes": ("#f3efe6", "#26324a"),
     "side panels": ("#f3efe6", "#26324a"),
-    "sleeve stripes": ("#f3efe6", "#26324a"),
+    **dict.fromkeys(("side stripes", "sleeve stripes"), ("#f3efe6", "#26324a")),
+    **dict.fromkeys(("three side stripes", "three sleeve stripes"), ("#f3efe6", "#26324a")),
     "reflecting bands": ("#d5d9dc", "#b4bac0"),
 }
 """What is of another colour than the cloth, where none is told: on darker cloth, and on light cloth."""

@@ -135,6 +135,16 @@ _OTHERS: Mapping[str, tuple[str, str]] = {
         "Lay reflecting tape of 5 cm on the marks, and topstitch both of its edges before the side seams are "
         "sewn.",
     ),
+    "three side stripes": (
+        "Three stripes down the sides",
+        "Sew the seams first. Lay a ribbon of 0.9 cm over each, one on either side of it as far away "
+        "as it is wide, and topstitch both edges of all three.",
+    ),
+    "three sleeve stripes": (
+        "Three stripes down the sleeves",
+        "Sew the seams on top of the sleeves first. Lay a ribbon of 0.9 cm over each, one on either side of "
+        "it as far away as it is wide, and topstitch both edges of all three.",
+    ),
     "asymmetric zip": (
         "Zip across the front",
         "Sew the fronts together in the middle, cut them along the marked strip, and set the zip in from the "

@@ -130,7 +130,7 @@ def _others(plan: CuttingPlan) -> Iterator[TrimStep]:
                 "seams are sewn.",
             ),
         )
-    if "welt pockets" in names:
+    if not names.isdisjoint(("welt pockets", "back welt pockets")):
         yield TrimStep(
             2.6,
             "Welt pockets",

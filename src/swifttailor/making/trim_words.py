@@ -63,7 +63,7 @@ def words_of(patch: Patch, *, is_flap: bool) -> str:
         return _LINES.get(patch.trim, "")
     if patch.trim in POCKETS:
         return f"{POCKETS[patch.trim]}, flap" if is_flap else POCKETS[patch.trim]
-    if patch.trim == "welt pockets":
+    if patch.trim in ("welt pockets", "back welt pockets"):
         return "pocket welt"
     return "front band" if patch.trim in BANDS else patch.trim
 

@@ -14,6 +14,8 @@ COORDINATES, PLAIN, STRIPES, CHECKS, DOTS, PLAID, MOTIF = range(7)
 KIND, GRAIN, SEED, COS, SIN = range(5)
 SIZES = 5
 """Six numbers that a kind of print needs: widths, spacings, which motif."""
+BLUR = 10
+"""The last of them, of kinds with bands: over how much cloth they are averaged, cm; 0: as they are."""
 COLORS = 11
 """Six colours."""
 WEAVE, WEAVE_PERIOD, WEAVE_DARK, WEAVE_BUMP, WEAVE_HOLE = range(29, 34)

@@ -32,7 +32,7 @@ _U64 = np.uint64
 # Numbers of a row by short names, since the compiler takes plain globals only.
 _COLORS, _SIZES, _WEAVE, _HOLE, _FOLDS = _at.COLORS, _at.SIZES, _at.WEAVE, _at.HOLE_COLOR, _at.FOLDS
 _WEAR, _GRAPHIC, _INKS, _BLOCK, _FADE = _at.WEAR, _at.GRAPHIC, _at.GRAPHIC_COLORS, _at.BLOCK, _at.FADE
-_MARKS, _MARK = _at.MARKS, _at.MARK
+_MARKS, _MARK, _BLUR = _at.MARKS, _at.MARK, _at.BLUR
 
 
 @njit(**FAST)
@@ -90,9 +90,18 @@ def _named(bank, u, v, table):
 
 
 @njit(**FAST)
-def _band(x, width, gap):
-    """Share of a band at x: 1 inside bands, 0 in the gaps between."""
+def _covered(x, width, period):
+    """How much of the line from somewhere left of all bands to x lies in bands, less a constant."""
+    n = np.floor(x / period + 0.5)
+    return n * width + min(max(x - n * period + width / 2, 0.0), width)
+
+
+@njit(**FAST)
+def _band(x, width, gap, blur):
+    """Share of a band at x: 1 inside bands, 0 between; the mean over `blur` cm where that is more."""
     period = width + gap
+    if blur > _SOFT_CM:
+        return (_covered(x + blur / 2, width, period) - _covered(x - blur / 2, width, period)) / blur
     from_middle = abs(x - period * np.rint(x / period))
     return min(max((width / 2 - from_middle) / _SOFT_CM + 0.5, 0.0), 1.0)
 
@@ -156,6 +165,7 @@ def color_at(u, v, x, y, z, table, layers, bank, out):
     kind, color, share = int(table[0]), _COLORS, 1.0
     i, j = table[3] * u + table[4] * v, table[3] * v - table[4] * u
     a, b, c = table[_SIZES], table[_SIZES + 1], table[_SIZES + 2]
+    blur = table[_BLUR]
     r, g, bl = np.float64(table[_COLORS]), np.float64(table[_COLORS + 1]), np.float64(table[_COLORS + 2])
     for layer in range(8 + int(table[_MARKS])):
         if not (layers >> layer) & 1:
@@ -164,9 +174,9 @@ def color_at(u, v, x, y, z, table, layers, bank, out):
         if layer == 0:
             color = _COLORS + 3
             if kind == 2:
-                share = 1.0 - _band(j, a, b)
+                share = 1.0 - _band(j, a, b, blur)
             elif kind == 3:
-                share = 1.0 - (_band(i, a, a) + _band(j, a, a)) / 2
+                share = 1.0 - (_band(i, a, a, blur) + _band(j, a, a, blur)) / 2
             elif kind == 4:
                 rise = a * 0.8660254
                 row = np.rint(j / rise)
@@ -174,7 +184,7 @@ def color_at(u, v, x, y, z, table, layers, bank, out):
                 away = math.hypot(across - a * np.rint(across / a), j - rise * row)
                 share = min(max((b - away) / _SOFT_CM + 0.5, 0.0), 1.0)
             elif kind == 5:
-                share = (_band(i, a * b, a - a * b) + _band(j, a * b, a - a * b)) / 2
+                share = (_band(i, a * b, a - a * b, blur) + _band(j, a * b, a - a * b, blur)) / 2
             elif kind == 6:
                 number = int(a)
                 if number > BANDS:
@@ -185,7 +195,8 @@ def color_at(u, v, x, y, z, table, layers, bank, out):
         elif layer == 1:
             if kind == 5:
                 thin = a * c
-                line = max(_band(i + a / 2, thin, a - thin), _band(j + a / 2, thin, a - thin))
+                line = _band(i + a / 2, thin, a - thin, blur)
+                line = max(line, _band(j + a / 2, thin, a - thin, blur))
                 color, share = _COLORS + 6, 0.8 * line
         elif layer == 2:
             if table[_FADE] > 0.0:

@@ -7,10 +7,25 @@ from dataclasses import dataclass
 import numpy as np
 
 from swifttailor.arrays import Array
-from swifttailor.render.cloth_table import COORDINATES, FOLDS, TableOfPrint, layers, new_table
+from swifttailor.render.cloth_table import (
+    BLUR,
+    CHECKS,
+    COORDINATES,
+    FOLDS,
+    KIND,
+    PLAID,
+    SIZES,
+    STRIPES,
+    TableOfPrint,
+    layers,
+    new_table,
+)
 from swifttailor.render.prints import bank_of
 from swifttailor.render.scene import Projection
 from swifttailor.render.surface import Surface
+
+_FINE, _AVERAGED = 2.0, 1.5
+"""Bands narrower than so many pixels are averaged over so many of them: they fade, but keep straight."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,7 +50,8 @@ def paint_prints(projection: Projection, samples: int, *, few: bool) -> Paint:
     """
     surfaces = projection.scene.surfaces
     painted = np.zeros(len(surfaces), np.int8)
-    tables = {k: _table(s) for k, s in enumerate(surfaces) if s.print is not None}
+    pixel = projection.camera.height * samples / len(projection.nearest.keys)
+    tables = {k: _table(s, pixel) for k, s in enumerate(surfaces) if s.print is not None}
     paint = bumps = np.zeros((0, 0, 3), np.float32)
     if tables:
         paint = np.zeros((*projection.nearest.keys.shape, 3), np.float32)
@@ -47,10 +63,26 @@ def paint_prints(projection: Projection, samples: int, *, few: bool) -> Paint:
     return Paint(painted, paint, bumps)
 
 
-def _table(surface: Surface) -> Array:
-    if isinstance(surface.print, TableOfPrint):
-        return surface.print.table()
-    return new_table(COORDINATES)
+def _table(surface: Surface, pixel: float) -> Array:
+    """The row of a surface's print; bands that pixels of so many cm would beat against are averaged."""
+    if not isinstance(surface.print, TableOfPrint):
+        return new_table(COORDINATES)
+    table = surface.print.table()
+    if _finest(table) < _FINE * pixel:
+        table[BLUR] = _AVERAGED * pixel
+    return table
+
+
+def _finest(table: Array) -> float:
+    """Width of the narrowest band or gap of a print, cm."""
+    first, second, third = (float(size) for size in table[SIZES : SIZES + 3])
+    if table[KIND] == STRIPES:
+        return min(first, second)
+    if table[KIND] == CHECKS:
+        return first
+    if table[KIND] == PLAID:
+        return first * min(second, 1.0 - second, third)
+    return np.inf
 
 
 def _has_folds(table: Array) -> bool:

@@ -15,7 +15,7 @@ ON_PANEL = 0.05
 IN_PAIRS = (
     "chest pockets", "patch pockets", "kangaroo pocket", "bib pocket", "side pockets", "slant pockets",
     "back pockets", "cargo pockets", "drawstring", "neck cord", "lacing", "double-breasted buttons",
-    "lower back pockets", "knee patches",
+    "lower back pockets", "knee patches", "back welt pockets",
 )  # fmt: skip
 
 

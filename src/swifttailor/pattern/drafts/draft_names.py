@@ -143,7 +143,7 @@ class NamedDraft:
     @property
     def stands(self) -> bool:
         """Whether it has a collar that stands on a close neck instead of the one that it has by itself."""
-        return STANDING in self.options or ROLLED in self.options or ("standing", True) in self.options
+        return not {MANDARIN, STANDING, ROLLED, ("standing", True)}.isdisjoint(self.options)
 
     @property
     def is_to_the_eye(self) -> tuple[tuple[str, str | float], ...]:
@@ -207,8 +207,8 @@ APRON_HEMS: Mapping[str, float] = {
     "ankle": 96.0,
 }
 """Lengths of aprons that end there, cm below the waist."""
-STANDING = ("collar", "standing")
-"""The option of a collar that stands."""
+STANDING, MANDARIN = ("collar", "standing"), ("collar", "mandarin")
+"""The options of a collar that stands, closed or open in front."""
 HOODED = ("collar", "hood")
 """The option of a hood instead of one."""
 ROLLED = ("collar", "rolled")

@@ -21,13 +21,15 @@ from swifttailor.pattern.drafts.options import Option
 from swifttailor.pattern.drafts.stand_collar import lay_stand_collar, sew_collar
 from swifttailor.pattern.drafts.turned_collar import TurnedCollar, lay_turned_collar, sew_turned_collar
 
-SewnCollarShape = Literal["shirt", "folded", "flat", "sailor", "standing", "rolled", "revers", "hood"]
+SewnCollarShape = Literal[
+    "shirt", "folded", "flat", "sailor", "standing", "mandarin", "rolled", "revers", "hood"
+]
 CollarShape = Literal["none", SewnCollarShape]
 _SHAPES = (
     "shirt: a stand on a close neck, turned down over itself; folded: flat over a V neck 7 to 16 cm deep; "
     "flat: with rounded ends on a close neck; sailor: from the point of a V to a square on the back; "
-    "standing: on a close neck; rolled: the same, turned down over itself; revers: small lapels on a V neck "
-    "16 to 20 cm deep; hood: a hood instead."
+    "standing: on a close neck; mandarin: the same, open in front; rolled: the same, turned down over "
+    "itself; revers: small lapels on a V neck 16 to 20 cm deep; hood: a hood instead."
 )
 CollarOption = Annotated[CollarShape, Option(f"Collar. {_SHAPES}")]
 SewnCollarOption = Annotated[SewnCollarShape, Option(f"Collar. {_SHAPES}")]
@@ -80,7 +82,7 @@ class NeckCollar:
             return Neckline("round", _HOOD_WIDENING, _HOOD_DEPTH, _BEHIND)
         if self.shape == "flat":
             return Neckline("round", min(asked.widening, _CLOSE), _FLAT_DEPTH, _BEHIND)
-        if self.shape in ("standing", "shirt", "rolled"):
+        if self.shape in ("standing", "mandarin", "shirt", "rolled"):
             return Neckline("round", _STANDING_WIDENING, _STANDING_DEPTH, _STANDING_BEHIND)
         return asked
 
@@ -94,8 +96,8 @@ class NeckCollar:
         elif self.shape == "rolled":
             rolled = TurnedCollar(self.height, self.height - _STAND_SHOWS_CM, _ROLL_FLARE_CM, points=None)
             lay_turned_collar(table, figure, rolled)
-        elif self.shape == "standing":
-            lay_stand_collar(table, figure, self.height)
+        elif self.shape in ("standing", "mandarin"):
+            lay_stand_collar(table, figure, self.height, split=self.shape == "mandarin")
         elif self.shape == "hood":
             lay_hood(table, figure, _HOOD)
         elif self.shape == "revers":
@@ -114,7 +116,7 @@ class NeckCollar:
         elif self.shape == "revers":
             self._revers.sew(table)
         elif self.shape != "none":
-            sew_collar(table)
+            sew_collar(table, split=self.shape == "mandarin")
         if self.shape in ("shirt", "rolled"):
             sew_turned_collar(table, joined=self.shape == "rolled")
 

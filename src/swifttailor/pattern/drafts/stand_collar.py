@@ -13,6 +13,9 @@ _LEAN, _NARROWEST = 0.35, 0.12
 length of the lower one: necks narrow so, and a collar that does not lean to them stands off."""
 CLOSE_FRONT_Z, CLOSE_BACK_Z = 18.0, -17.0
 """Where its halves stand before draping, cm."""
+_CORNER, _GAP_CM = 0.45, 0.8
+"""Rounding of its corners in front where it is open there, as a part of its height, and how far each half
+ends beside the middle, cm."""
 ABOVE_NECK = 2.0
 """How far above the neck it begins before draping, cm."""
 
@@ -27,20 +30,27 @@ def lean(height: float, long: float) -> float:
     return min(_LEAN * height, _NARROWEST * long)
 
 
-def lay_stand_collar(table: CuttingTable, figure: Figure, height: float) -> None:
+def lay_stand_collar(table: CuttingTable, figure: Figure, height: float, *, split: bool = False) -> None:
     """Lays ``left_collar_front`` and ``left_collar_back`` and sews them to the left neckline.
 
     Args:
         table: Where the left half of a torso lies; `sew_collar` joins the halves after its `mirror`.
         figure: The body.
         height: cm.
+        split: Whether it is open in the middle of the front, with rounded corners.
     """
     quarters = [table.length(f"{torso}.neck") for torso in ("left_ftorso", "left_btorso")]
     closer = lean(height, min(quarters))
     upright = math.sqrt(height**2 - closer**2)  # the slanting ends are as long as it is high
     for face, torso, long in zip(("front", "back"), ("left_ftorso", "left_btorso"), quarters, strict=True):
         outline = Outline(0.0, 0.0).line("neck", long, 0.0)
-        outline.line("end", long - closer, upright).line("top", 0.0, upright)
+        outline.line("end", long - closer, upright)
+        if split and face == "front":
+            corner, gap = min(_CORNER * upright, 0.3 * long), min(_GAP_CM, 0.1 * long)
+            outline.line("top", gap + corner, upright)
+            outline.quadratic("top", (gap, upright), (0.6 * gap, upright - corner))
+        else:
+            outline.line("top", 0.0, upright)
         outline.line("centre", 0.0, 0.0)
         table.lay(
             f"left_collar_{face}",
@@ -53,7 +63,8 @@ def lay_stand_collar(table: CuttingTable, figure: Figure, height: float) -> None
     table.seam("left_collar_front.end", "left_collar_back.end")
 
 
-def sew_collar(table: CuttingTable) -> None:
-    """Sews the halves together in the middle of front and back."""
-    table.seam("right_collar_front.centre", "left_collar_front.centre")
+def sew_collar(table: CuttingTable, *, split: bool = False) -> None:
+    """Sews the halves together in the middle of the back and, where it is not `split`, of the front."""
+    if not split:
+        table.seam("right_collar_front.centre", "left_collar_front.centre")
     table.seam("left_collar_back.centre", "right_collar_back.centre")

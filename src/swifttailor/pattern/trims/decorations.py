@@ -19,7 +19,7 @@ _FRONT_FRILL, _FRILLED_LEAST = 4.5, 15.0
 """Depth of frills down the front, and the shortest seam that has them, cm."""
 _TURNED_BACK = 4.0
 """Height of turned-up ends of sleeves, cm."""
-_EDGINGS = {"edging": 1.3, "piping": 0.5, "bands": 5.0, "lace trim": 3.5}
+_EDGINGS = {"edging": 1.3, "piping": 0.9, "bands": 5.0, "lace trim": 3.5}
 _NECK_LACE, _RIB, _HEM_RIB = 4.0, 2.0, 3.0
 """How wide edgings, lace around necks and ribbed bands are, cm."""
 _BOW, _BOW_TAIL = 15.0, 17.0

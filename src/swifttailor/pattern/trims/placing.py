@@ -28,7 +28,12 @@ from swifttailor.pattern.trims.reflecting_bands import reflecting_bands
 from swifttailor.pattern.trims.rips import frayed_hem, rips
 from swifttailor.pattern.trims.shapes import Trim
 from swifttailor.pattern.trims.side_panels import side_panels
-from swifttailor.pattern.trims.side_stripes import side_stripes, sleeve_stripes
+from swifttailor.pattern.trims.side_stripes import (
+    side_stripes,
+    sleeve_stripes,
+    three_side_stripes,
+    three_sleeve_stripes,
+)
 from swifttailor.pattern.trims.stirrups import stirrups
 from swifttailor.pattern.trims.yoke_frill import yoke_frill
 
@@ -54,6 +59,7 @@ _PLACES: Mapping[str, Callable[[Chalk, str], list[Trim]]] = {
     "side pockets": pockets.side_pockets,
     "slant pockets": pockets.slant_pockets,
     "back pockets": pockets.back_pockets,
+    "back welt pockets": pockets.back_welts,
     "cargo pockets": pockets.cargo_pockets,
     "thigh pocket": pockets.thigh_pocket,
     "tie belt": belts.belt,
@@ -81,6 +87,8 @@ _PLACES: Mapping[str, Callable[[Chalk, str], list[Trim]]] = {
     "neck lace": decorations.neck_lace,
     "side stripes": side_stripes,
     "sleeve stripes": sleeve_stripes,
+    "three side stripes": three_side_stripes,
+    "three sleeve stripes": three_sleeve_stripes,
     "side panels": side_panels,
     "neck bow": decorations.neck_bow,
     "waist bow": decorations.waist_bow,

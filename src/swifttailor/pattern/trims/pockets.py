@@ -180,6 +180,15 @@ def side_pockets(chalk: Chalk, name: str) -> list[Trim]:
     return chalk.beside_side_seam(name, 6.0, 15.0, both=True)
 
 
+def back_welts(chalk: Chalk, name: str) -> list[Trim]:
+    """A narrow strip over an opening on each side of the seat, as of chinos and suits."""
+    for aside in (0.0, 0.5, -0.5, 1.0, -1.0, 1.5, -1.5, 2.0, -2.0):
+        pieces = _on_seat(chalk, name, aside, welt=True)
+        if pieces:
+            return pieces
+    return []
+
+
 def back_pockets(chalk: Chalk, name: str) -> list[Trim]:
     """One on each side of the seat."""
     for aside in (0.0, 0.5, -0.5, 1.0, -1.0, 1.5, -1.5, 2.0, -2.0):
@@ -189,7 +198,7 @@ def back_pockets(chalk: Chalk, name: str) -> list[Trim]:
     return []
 
 
-def _on_seat(chalk: Chalk, name: str, aside: float) -> list[Trim]:
+def _on_seat(chalk: Chalk, name: str, aside: float, *, welt: bool = False) -> list[Trim]:
     """The same, so far outward of the middle of each side, cm: corners do not lie in darts."""
     s, pieces = chalk.size, []
     for panel, sign in (("pant_b_l", 1), ("pant_b_r", -1)):
@@ -204,7 +213,10 @@ def _on_seat(chalk: Chalk, name: str, aside: float) -> list[Trim]:
             else sign * 11 * s
         )
         at = (x + sign * aside, view.high - 8.5 * s)
-        found = chalk.pocket(name, panel, at, width, height, point=2 * s)
+        if welt:  # the piece alone, without the line of a hem
+            found = chalk.pocket(name, panel, at, width, 1.4 * s)[:1]
+        else:
+            found = chalk.pocket(name, panel, at, width, height, point=2 * s)
         if not found:
             return []
         pieces += found

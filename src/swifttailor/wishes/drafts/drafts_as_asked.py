@@ -19,6 +19,7 @@ from swifttailor.pattern.drafts.draft_names import (
     NamedDraft,
 )
 from swifttailor.wishes.drafts.bared_drafts import bared_as_asked
+from swifttailor.wishes.drafts.boat_necks import boat_as_asked
 from swifttailor.wishes.drafts.close_drafts import close_as_asked
 from swifttailor.wishes.drafts.cropped_drafts import cropped_as_asked
 from swifttailor.wishes.drafts.held_drafts import held_as_asked, on_straps_that_hold
@@ -146,6 +147,7 @@ def draft_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft | N
     draft = held_as_asked(_hanging_loose(close_as_asked(draft, claims), claims), claims)
     draft = on_straps_that_hold(bared_as_asked(draft, claims))
     draft = _standing(sleeves_as_asked(draft, claims), claims)  # what was strapless has a neck now
+    draft = boat_as_asked(_with_close_neck(draft, claims), claims)
     if draft.name in _ON_SHOULDERS and _THIN_STRAPS in claims:
         return None
     if _BARE in claims and draft.name not in BARE_SHOULDERED:

@@ -22,6 +22,7 @@ from swifttailor.wishes.drafts.huge_skirts import huge_as_said
 from swifttailor.wishes.drafts.legs_by_words import ELASTIC, legs_as_said
 from swifttailor.wishes.drafts.loosened_drafts import is_to_be_loose, loosened_as_asked
 from swifttailor.wishes.drafts.low_skirts import low_as_asked
+from swifttailor.wishes.drafts.mandarin_collars import asks_for_mandarin_collar, with_mandarin_collar
 from swifttailor.wishes.drafts.opened_drafts import opened_as_asked
 from swifttailor.wishes.drafts.oversized_drafts import oversized_as_asked
 from swifttailor.wishes.drafts.pleated_dresses import pleats_as_asked
@@ -100,6 +101,8 @@ def drafts_of(heard: Heard) -> tuple[NamedDraft, ...]:
     fitting = [low_as_asked(draft, sure) for draft in gored_as_said(fitting, heard.text)]
     if any(claim.name == "straps" for claim in sure):
         fitting = [draft for draft in fitting if draft.name not in _STRAPLESS] or fitting
+    if asks_for_mandarin_collar(entries):
+        fitting = [with_mandarin_collar(draft) for draft in fitting]
     if asks_for_sailor_collar(entries):
         fitting = [with_sailor_collar(draft) for draft in fitting]
     fitting = [legs_as_said(draft, heard.text, _elastic(heard), heard.never) for draft in fitting]

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from swifttailor.describing.claims import Claim
 from swifttailor.describing.differences import Gain
 from swifttailor.pattern.trims.names import LIKE_EACH_OTHER, TRIMS
+from swifttailor.wishes.trims.three_stripes import THREE, three_as_said
 from swifttailor.wishes.trims.trims_by_place import is_elastic_behind, trims_by_place
 
 if TYPE_CHECKING:
@@ -36,7 +37,7 @@ TRIMS_OF: Mapping[str, tuple[str, ...]] = {
     "ties": ("tie belt", "neck bow", "waist bow", "shoulder bows", "back bow", "back ties"),
     "braid": ("edging", "piping", "bands"),
     "lace": ("lace trim", "neck lace"),
-    "side_stripes": ("side stripes", "sleeve stripes"),
+    "side_stripes": ("side stripes", "sleeve stripes", *THREE),
     "side_panels": ("side panels",),
     "frills": _FRILLS,
     "lacing": ("lacing",),
@@ -136,6 +137,8 @@ def trims_wanted(heard: Heard, draft: str = "", kind: str = "") -> tuple[TrimWis
             alone = sorted(said or own, key=lambda name: name not in own)
             instead = [(name,) for names in placed for name in names[1:]]
             choices = (said or own, *[(name,) for name in alone], *instead, *choices)
+        if lack.what == "side_stripes":
+            choices = three_as_said(choices, heard.text)
         if choices:
             found.append(TrimWish(lack.what, lack.said, choices, bool(said)))
     if draft in _RIBBED and not any(wish.what == _RIBS for wish in found) and _is_knitted(heard, draft):

@@ -156,6 +156,9 @@ class TurtleneckOptions:
     ] = 6.5
     collar_height: Annotated[float, Option("Height of the collar.", "cm", 2.0, 14.0)] = 8.0
     rolled: Annotated[bool, Option("Turn the collar down over itself.")] = True
+    split: Annotated[
+        bool, Option("Leave a collar that is not turned down open in front, with round corners.")
+    ] = False
     armhole_drop: declared.ArmholeDrop = 2.5
     sleeves: declared.Sleeves = True
     sleeve_length: declared.SleeveLength = 58.5
@@ -191,7 +194,8 @@ def draft_turtleneck(options: TurtleneckOptions, measurements: Measurements) -> 
     )
     lay_loose_bodice(table, figure, bodice)
     rolled = options.rolled and not options.opening
-    collar = NeckCollar("rolled" if rolled else "standing", 0.0, options.collar_height)
+    standing = "mandarin" if options.split and not options.rolled else "standing"
+    collar = NeckCollar("rolled" if rolled else standing, 0.0, options.collar_height)
     collar.lay(table, figure)
     if options.sleeves:
         sleeve = Sleeve(options.sleeve_length, options.arm_ease, options.sleeve_end, 0.01)
