@@ -104,16 +104,26 @@ def lay_fitted_skirt(
         _draw_hem(whole, corner, corner_y, slant, lift)
         at = (0.0, 0.0, SKIRT_FRONT_Z if front else SKIRT_BACK_Z)
         if front and shape.overlap is not None:
-            upper, lower = _overlapping(whole.closed(), shape.overlap)
-            table.lay(name, upper, label="leg", at=at)
-            table.lay(UNDER_FRONT, lower, label="leg", at=(*at[:2], at[2] - _BEHIND_CM))
+            upper, lower = overlapping(whole.closed(), shape.overlap)
+            lay_overlapping(table, upper, lower)
         else:
             table.lay(name, whole.closed(), label="leg", at=at, back=not front)
     if shape.overlap is None:
         sew_sides(table, "skirt")
     else:
-        table.seam(f"{UNDER_FRONT}.left_side", "skirt_back.left_side")
-        table.seam("skirt_front.right_side", "skirt_back.right_side")
+        sew_overlapping_sides(table)
+
+
+def lay_overlapping(table: CuttingTable, upper: Outline, lower: Outline) -> None:
+    """Lays ``skirt_front`` and the front that lies under it."""
+    table.lay("skirt_front", upper, label="leg", at=(0.0, 0.0, SKIRT_FRONT_Z))
+    table.lay(UNDER_FRONT, lower, label="leg", at=(0.0, 0.0, SKIRT_FRONT_Z - _BEHIND_CM))
+
+
+def sew_overlapping_sides(table: CuttingTable) -> None:
+    """Sews the sides of a skirt with two fronts."""
+    table.seam(f"{UNDER_FRONT}.left_side", "skirt_back.left_side")
+    table.seam("skirt_front.right_side", "skirt_back.right_side")
 
 
 _FRONTS = ("skirt_front.right_waist", "skirt_front.left_waist", f"{UNDER_FRONT}.left_waist")
@@ -145,7 +155,7 @@ def _draw_hem(outline: Outline, corner: float, corner_y: float, slant: float, li
     outline.cubic("hem", (reach - corner, low), (corner - reach, low), (corner, corner_y))
 
 
-def _overlapping(front: Outline, shape: Overlap) -> tuple[Outline, Outline]:
+def overlapping(front: Outline, shape: Overlap) -> tuple[Outline, Outline]:
     """The upper and the lower front, of one that is drawn whole; its hem is its last edge."""
     hem = front.sides[-1]
     half = abs(hem.end[0])
