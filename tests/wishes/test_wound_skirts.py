@@ -34,3 +34,10 @@ def test_a_front_that_lies_on_another_does_not_make_a_skirt_wider():
     assert lap_of_skirt(more) > lap_of_skirt(less) + 20.0 and lap_of_skirt(draft("circle-skirt")) == 0.0
     circles = [measure_facts(pattern).skirt.circle for pattern in (less, more)]
     assert circles[0] == pytest.approx(circles[1], abs=0.05)
+
+
+def test_the_lower_front_is_hardly_shorter_than_the_upper_one():
+    pattern = draft("wrap-skirt", fraction=0.5, length=75.0)
+    fronts = [pattern.panel(name) for pair in overlapping_fronts(pattern) for name in pair]
+    upper, lower = (panel.to_world(panel.outline(0.5))[:, 1].min() for panel in fronts)
+    assert 0.0 < lower - upper < 5.0

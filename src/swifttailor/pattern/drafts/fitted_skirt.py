@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
+from swifttailor.pattern.curve import Arc
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure, Halves
 from swifttailor.pattern.drafts.joins import sew_sides
@@ -180,7 +181,12 @@ def overlapping(front: Outline, shape: Overlap) -> tuple[Outline, Outline]:
     upper.sides += Outline(*upper_hem.end).line("edge", *inner.start).sides
     raised = (lower_hem.start[0], lower_hem.start[1] + _SHORTER_CM)
     lower.sides = [*front.sides[:at], outer]
-    lower.sides += Outline(*outer.end).line("edge", *raised).line("hem", *lower_hem.end).sides
+    below = Outline(*outer.end).line("edge", *raised)
+    if isinstance(lower_hem.curve, Arc):  # a straight one would cut off much of a skirt cut from a circle
+        below.arc("hem", lower_hem.end, lower_hem.curve.radius, right=True)
+    else:
+        below.line("hem", *lower_hem.end)
+    lower.sides += below.sides
     return upper.closed(), lower.closed()
 
 
