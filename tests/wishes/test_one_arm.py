@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 from swifttailor.describing import Claim
 from swifttailor.describing.claims import CLAIM_TYPES
 from swifttailor.describing.differences import Gain
+from swifttailor.wishes.corrections.closed_behind import without_opposites
 from swifttailor.wishes.corrections.one_arm import of_one_arm, without_guessed_length
 from swifttailor.wishes.reader import Wish
 from swifttailor.wording.lexicon import read_words
@@ -77,3 +78,19 @@ def test_no_length_is_guessed_of_the_only_sleeve(text, lengths):
     found = [wish("sleeves", "right only"), wish("right_sleeve", "short"), wish("right_sleeve", "long")]
     left = without_guessed_length(found, read_words(text))
     assert {w.change.claim.value for w in left} == {"right only", *lengths}
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "a techwear jacket with an asymmetrical zip and a high funnel neck",
+        "a coat with an asymmetric closure",
+        "a jacket, off centre zip, long sleeves",
+        "a black top with asymmetrical buttons",
+    ],
+)
+def test_closings_to_one_side_say_nothing_of_sides_and_sleeves(text):
+    words = read_words(text)
+    heard = (wish("sides", "different"), wish("sleeves", "unequal"), wish("collar", "stand"))
+    kept = {w.change.claim.name for w in without_opposites(heard, words)}
+    assert kept == {"collar"}

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from collections import Counter
+
 import numpy as np
 import pytest
 
 from swifttailor.pattern.drafts import draft
 from swifttailor.pattern.drafts.draft_names import NamedDraft
+from swifttailor.pattern.trims.free_edges import armhole_edges
 from swifttailor.wishes.drafts.armholes_as_asked import armholes_as_asked
 from swifttailor.wording.lexicon import read_words
 
@@ -16,7 +19,10 @@ LACKS = read_words("a gym vest with a racerback").lacks
 @pytest.mark.parametrize(
     ("named", "begun"),
     [
-        ("tank-top(strap_width=8)", {"strap_width": 3.5, "back_neck_depth": 8.0, "racer": True}),
+        (
+            "tank-top(strap_width=8)",
+            {"strap_width": 3.5, "neck_widening": 1.5, "back_neck_depth": 8.0, "racer": True},
+        ),
         ("t-shirt", {}),
     ],
 )
@@ -39,3 +45,12 @@ def test_little_is_left_between_the_shoulder_blades():
     racer, plain = (draft("tank-top", racer=cut, back_neck_depth=6.0) for cut in (True, False))
     assert least(racer.panel("left_btorso")) < 6.0 < least(plain.panel("left_btorso"))
     assert least(racer.panel("left_ftorso")) == least(plain.panel("left_ftorso"))
+
+
+@pytest.mark.parametrize("width", [3.0, 3.5, 5.0])
+def test_bands_go_all_around_their_armholes(width):
+    """The lower part of the armhole behind is an edge of its own."""
+    racer = draft("tank-top", racer=True, strap_width=width, neck_widening=1.5, back_neck_depth=8.0)
+    assert Counter(ref.panel for ref in armhole_edges(racer)) == {
+        "left_btorso": 2, "right_btorso": 2, "left_ftorso": 1, "right_ftorso": 1,
+    }  # fmt: skip

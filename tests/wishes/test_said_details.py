@@ -34,7 +34,8 @@ def test_words_tell_what_no_claim_does(text, what):
         ("pull-on-trousers", "slits", "side_slits"), ("jeans", "slits", "side_slits"),
         ("trousers", "back_rise", "back_rise"), ("joggers", "back_rise", "back_rise"),
         ("dungarees", "crossed_straps", "crossed"), ("pinafore", "crossed_straps", "crossed"),
-        ("blazer", "shoulder_pads", "shoulder_extension"), ("robe", "trailing_sleeves", "sleeve_shape"),
+        ("blazer", "shoulder_pads", "shoulder_extension"), ("coat", "huge_shoulders", "shoulder_extension"),
+        ("robe", "trailing_sleeves", "sleeve_shape"),
         ("skater-dress", "trailing_sleeves", "sleeve_shape"),
     ],
 )  # fmt: skip
@@ -42,7 +43,7 @@ def test_drafts_have_them_and_can_be_drafted(name, lack, option):
     plain = NamedDraft(name)
     made = with_details(plain, {lack}, ())
     assert dict(made.options)[option]
-    assert lack == "shoulder_pads" or lack in made.shows
+    assert lack in ("shoulder_pads", "huge_shoulders") or lack in made.shows
     assert draft(name, **dict(made.options)).panels
     assert with_details(plain, (), ()) == plain
 
@@ -73,3 +74,12 @@ def test_full_thighs_contradict_no_close_legs(text):
     assert not reading.contradictions and not reading.unknown
     drafts = [each for mark in reading.marks for entry in mark.entries for each in entry.drafts]
     assert any(dict(each.options).get("bow") for each in drafts)
+
+
+@pytest.mark.parametrize("words", ["huge shoulders", "massive shoulder pads", "exaggerated shoulders"])
+def test_huge_shoulders_are_wider_than_padded_ones(words):
+    lacks = {lack.what for lack in read_words(f"an 80s blazer with {words}").lacks if lack.said}
+    huge = dict(with_details(NamedDraft("blazer"), lacks, ()).options)
+    padded = dict(with_details(NamedDraft("blazer"), {"shoulder_pads"}, ()).options)
+    assert 6.0 > huge["shoulder_extension"] > padded["shoulder_extension"]
+    assert huge["waist_shaping"] > 3.0

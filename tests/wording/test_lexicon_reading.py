@@ -517,7 +517,7 @@ def test_another_garment_beneath_is_told(text, told):
     [
         ("a jacket with two tails", "tails"),
         ("a coat with toggles", "toggles"),
-        ("a jacket with huge shoulders", "shoulder_pads"),
+        ("a jacket with huge shoulders", "huge_shoulders"),
         ("trousers with zip-off legs", "zip_off"),
         ("a knit in all colourways", "colorways"),
     ],

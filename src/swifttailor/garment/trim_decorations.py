@@ -26,6 +26,8 @@ _LIFT = 0.25
 """A frill lies so far above the cloth where it is sewn on, cm."""
 _FLAT_LIFT = 0.2
 """So much higher do flat strips lie, which bend less than the cloth, cm."""
+_NEAREST = 6
+"""By so many vertices of the cloth the level of a flat strip on it is told."""
 _HANGS = 0.7
 """How much of a strip's direction is down, of one that hangs."""
 _STANDS_OUT = 0.6
@@ -58,6 +60,7 @@ def frill_meshes(garment: Garment, frill: Frill) -> list[TrimMesh]:
             vertices, faces, lines = _strip(
                 line + _FLAT_LIFT * normals, -away, normals, frill.depth, swing=0.0
             )
+            vertices = _laid_on(garment, {ref.panel for ref in frill.edges}, vertices)
             found.append(TrimMesh(frill.trim, "cloth", vertices, faces, lines))
             continue
         around_neck = frill.trim == "neck frill"
@@ -154,6 +157,22 @@ def _runs(garment: Garment, frill: Frill) -> Iterator[tuple[Floats, Floats, Floa
         ]
         ways, normals = (_evened(row) for row in rows[1:]) if frill.kind == "gathered" else rows[1:]
         yield rows[0], ways, normals
+
+
+def _laid_on(garment: Garment, panels: set[str], vertices: Floats) -> Floats:
+    """(n, 3) those of a flat strip, moved onto the cloth of some panels: it would stand off a shoulder."""
+    from scipy.spatial import KDTree
+
+    numbers = [garment.mesh.pattern.panel_index(panel) for panel in panels]
+    own = np.unique(garment.faces[np.isin(garment.mesh.face_panel, numbers)])
+    cloth, normals = garment.vertices[own], garment.vertex_normals[own]
+    far, near = KDTree(cloth).query(vertices, k=min(_NEAREST, len(own)))
+    weights = 1.0 / np.maximum(far, 1e-3) ** 2
+    weights /= weights.sum(axis=1, keepdims=True)
+    ways = (weights[..., None] * normals[near]).sum(axis=1)
+    ways /= np.maximum(np.linalg.norm(ways, axis=1, keepdims=True), 1e-9)
+    off = (weights * ((vertices[:, None] - cloth[near]) * ways[:, None]).sum(axis=-1)).sum(axis=1)
+    return vertices - (off - _FLAT_LIFT - _LIFT)[:, None] * ways
 
 
 def _evened(ways: Floats) -> Floats:

@@ -28,3 +28,9 @@ def _reach(upper: Panel, lower: Panel) -> float:
         (x.min(), x.max()) for x in (p.placement.apply(p.vertices)[:, 0] for p in (upper, lower))
     )
     return float(right - left)
+
+
+def lap_of_skirt(pattern: Pattern) -> float:
+    """How far the upper front of a wound skirt goes over the lower one at most, cm; 0 of others."""
+    pairs = [names for names in overlapping_fronts(pattern) if UNDER_FRONT in names]
+    return max([_reach(*(pattern.panel(name) for name in names)) for names in pairs], default=0.0)

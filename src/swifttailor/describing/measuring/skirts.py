@@ -15,6 +15,7 @@ from swifttailor.describing.measuring.parts import SKIRT_PARTS, Part
 from swifttailor.describing.measuring.slices import girth_at
 from swifttailor.describing.measuring.wear import Worn
 from swifttailor.pattern import EdgeRef
+from swifttailor.pattern.overlaps import lap_of_skirt
 
 CURVED_CIRCLE = 0.25
 """Skirts that flare more are cut as arcs, and are measured along them."""
@@ -46,6 +47,8 @@ def measure_skirt(anatomy: Anatomy, worn: Worn, hem: HemLine) -> Skirt | None:
     length = float(fall[cloth.nodes(skirt_hem)].mean()) if skirt_hem else float(fall.max())
     base_length, base_lower = _base(anatomy, fall, base, rows, skirt_hem)
     circle = (hem_length - own_upper) / (2 * math.pi * length) if length > 1.0 else 0.0
+    if circle > CURVED_CIRCLE:  # a front that lies on another one does not make it wider
+        circle -= lap_of_skirt(anatomy.pattern) / (2 * math.pi * length)
     level = float(worn.levels(anatomy, top).mean())
     godets = anatomy.panels(Part.GODET)
     tiers = max(rows.values()) + 1

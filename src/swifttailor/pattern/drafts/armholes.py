@@ -2,12 +2,19 @@
 
 from __future__ import annotations
 
+import math
+
 from swifttailor.pattern.drafts.outline import Outline, Point
 
 RACER_NECK = 0.34
 """How deep the neck above a back that is cut in may be, as a part of the height from underarm to shoulder."""
-_RACER_CM, _RACER_SHARE = 4.8, 0.46
+_RACER_CM, _RACER_SHARE = 5.6, 0.42
 """Half of what is left between the shoulder blades, cm; how high that is, between underarm and shoulder."""
+
+_LEANS = math.radians(15.0)
+"""By how much its end is turned to the middle."""
+_STRAIGHT = 0.4
+"""How far the strap behind leans to the middle at its end, as a part of its way there."""
 
 
 def armhole(outline: Outline, tip: Point, slope: float, scoop: float) -> None:
@@ -26,6 +33,20 @@ def armhole(outline: Outline, tip: Point, slope: float, scoop: float) -> None:
     outline.cubic("armhole", inward, (tip[0] - slope * reach, tip[1] - reach), tip)
 
 
+def leaning_tip(neck: Point, tip: Point) -> Point:
+    """The end of the shoulder of a back that is cut in, turned down: its strap runs aslant to the middle.
+
+    Otherwise the outer edge of the strap is too long, and stands up behind the shoulder.
+
+    Args:
+        neck: Where the shoulder begins, local cm.
+        tip: Where it would end, local cm.
+    """
+    x, y = tip[0] - neck[0], tip[1] - neck[1]
+    c, s = math.cos(_LEANS), math.sin(_LEANS)
+    return neck[0] + c * x + s * y, neck[1] - s * x + c * y
+
+
 def racer_armhole(outline: Outline, tip: Point, slope: float) -> None:
     """Draws from the underarm point in between the shoulder blades, and out again to the shoulder `tip`.
 
@@ -36,7 +57,9 @@ def racer_armhole(outline: Outline, tip: Point, slope: float) -> None:
     """
     x, y = outline.sides[-1].end
     rise = tip[1] - y
-    inner = (min(_RACER_CM, 0.45 * tip[0]), y + _RACER_SHARE * rise)
+    inner = (min(_RACER_CM, 0.5 * tip[0]), y + _RACER_SHARE * rise)
     outline.cubic("armhole", (x - 0.6 * (x - inner[0]), y + 0.03 * rise), (inner[0], y + 0.2 * rise), inner)
-    above = (tip[0] - slope * 0.3 * rise, tip[1] - 0.3 * rise)
+    # A strap that left the shoulder at right angles would have to bend, and stand up where it does.
+    inward = max(slope, _STRAIGHT * (tip[0] - inner[0]) / (0.3 * rise))
+    above = (tip[0] - inward * 0.3 * rise, tip[1] - 0.3 * rise)
     outline.cubic("armhole", (inner[0], inner[1] + 0.25 * rise), above, tip)

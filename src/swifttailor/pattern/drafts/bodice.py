@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-from swifttailor.pattern.drafts.armholes import RACER_NECK, armhole, racer_armhole
+from swifttailor.pattern.drafts.armholes import RACER_NECK, armhole, leaning_tip, racer_armhole
 from swifttailor.pattern.drafts.bust_dart import draw_side_with_bust_dart
 from swifttailor.pattern.drafts.cutting_table import CuttingTable, Piece
 from swifttailor.pattern.drafts.figure import Figure, Halves
@@ -38,9 +38,8 @@ _STRAP = 3.5
 """How much cloth is left beside a back that is bare, at the shoulder blades, cm."""
 _CROPPED_CM = 6.0
 """What ends less far below the waist hangs from the bust, and has all of that there."""
-BLADE_FULLNESS = 0.01
-"""Extra length of the back over the shoulder blades, as a part of the waist line; with more, the nape
-stands off."""
+BLADE_FULLNESS, _RACER_FULLNESS = 0.01, -0.02
+"""Extra length of the back over the shoulder blades, over the waist line; with more, the nape stands off."""
 SHORT_CM = 12.0
 """Shaped tops that end less far below the waist have no room to widen again."""
 POINT_X = 5.0
@@ -222,6 +221,7 @@ def lay_loose_bodice(table: CuttingTable, figure: Figure, shape: LooseBodice) ->
             balance=FRONT_BALANCE,
             scoop=scoop,
             slit=slit if front else 0.0,
+            blade=_RACER_FULLNESS if shape.racer else BLADE_FULLNESS,
             racer=shape.racer and not front,
         )
     sew_torso(table)
@@ -315,6 +315,7 @@ def lay_torso_half(
     neck, tip = ((x, figure.shoulder_line(x) + lift) for x in shoulder)
     underarm = outline.sides[-1].end[1]
     if racer:
+        tip = leaning_tip(neck, tip)
         racer_armhole(outline, tip, figure.slope)
     else:
         armhole(outline, tip, figure.slope, scoop)

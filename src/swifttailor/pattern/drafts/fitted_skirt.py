@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
+from swifttailor.pattern.curve import Arc
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure, Halves
 from swifttailor.pattern.drafts.joins import sew_sides
@@ -104,16 +105,26 @@ def lay_fitted_skirt(
         _draw_hem(whole, corner, corner_y, slant, lift)
         at = (0.0, 0.0, SKIRT_FRONT_Z if front else SKIRT_BACK_Z)
         if front and shape.overlap is not None:
-            upper, lower = _overlapping(whole.closed(), shape.overlap)
-            table.lay(name, upper, label="leg", at=at)
-            table.lay(UNDER_FRONT, lower, label="leg", at=(*at[:2], at[2] - _BEHIND_CM))
+            upper, lower = overlapping(whole.closed(), shape.overlap)
+            lay_overlapping(table, upper, lower)
         else:
             table.lay(name, whole.closed(), label="leg", at=at, back=not front)
     if shape.overlap is None:
         sew_sides(table, "skirt")
     else:
-        table.seam(f"{UNDER_FRONT}.left_side", "skirt_back.left_side")
-        table.seam("skirt_front.right_side", "skirt_back.right_side")
+        sew_overlapping_sides(table)
+
+
+def lay_overlapping(table: CuttingTable, upper: Outline, lower: Outline) -> None:
+    """Lays ``skirt_front`` and the front that lies under it."""
+    table.lay("skirt_front", upper, label="leg", at=(0.0, 0.0, SKIRT_FRONT_Z))
+    table.lay(UNDER_FRONT, lower, label="leg", at=(0.0, 0.0, SKIRT_FRONT_Z - _BEHIND_CM))
+
+
+def sew_overlapping_sides(table: CuttingTable) -> None:
+    """Sews the sides of a skirt with two fronts."""
+    table.seam(f"{UNDER_FRONT}.left_side", "skirt_back.left_side")
+    table.seam("skirt_front.right_side", "skirt_back.right_side")
 
 
 _FRONTS = ("skirt_front.right_waist", "skirt_front.left_waist", f"{UNDER_FRONT}.left_waist")
@@ -145,7 +156,7 @@ def _draw_hem(outline: Outline, corner: float, corner_y: float, slant: float, li
     outline.cubic("hem", (reach - corner, low), (corner - reach, low), (corner, corner_y))
 
 
-def _overlapping(front: Outline, shape: Overlap) -> tuple[Outline, Outline]:
+def overlapping(front: Outline, shape: Overlap) -> tuple[Outline, Outline]:
     """The upper and the lower front, of one that is drawn whole; its hem is its last edge."""
     hem = front.sides[-1]
     half = abs(hem.end[0])
@@ -170,7 +181,12 @@ def _overlapping(front: Outline, shape: Overlap) -> tuple[Outline, Outline]:
     upper.sides += Outline(*upper_hem.end).line("edge", *inner.start).sides
     raised = (lower_hem.start[0], lower_hem.start[1] + _SHORTER_CM)
     lower.sides = [*front.sides[:at], outer]
-    lower.sides += Outline(*outer.end).line("edge", *raised).line("hem", *lower_hem.end).sides
+    below = Outline(*outer.end).line("edge", *raised)
+    if isinstance(lower_hem.curve, Arc):  # a straight one would cut off much of a skirt cut from a circle
+        below.arc("hem", lower_hem.end, lower_hem.curve.radius, right=True)
+    else:
+        below.line("hem", *lower_hem.end)
+    lower.sides += below.sides
     return upper.closed(), lower.closed()
 
 

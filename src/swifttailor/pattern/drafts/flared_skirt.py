@@ -3,10 +3,18 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure, Halves
-from swifttailor.pattern.drafts.fitted_skirt import SKIRT_BACK_Z, SKIRT_FRONT_Z
+from swifttailor.pattern.drafts.fitted_skirt import (
+    SKIRT_BACK_Z,
+    SKIRT_FRONT_Z,
+    Overlap,
+    lay_overlapping,
+    overlapping,
+    sew_overlapping_sides,
+)
 from swifttailor.pattern.drafts.joins import sew_sides
 from swifttailor.pattern.drafts.outline import Outline, annular_sector
 from swifttailor.pattern.drafts.shaped_hem import LEVEL, HemShape, shaped_sector
@@ -17,6 +25,9 @@ LOWEST_HEM_BAND = 1.0
 """Cm; skirts with less of a band have none."""
 _ROOM_TO_STEP_CM = 6.0
 """Of a band at the hem, on top of the hips, which have to pass through it."""
+_EDGE_SHARE, _UNDER_SHARE = 0.8, 0.7
+"""Where the edge of a front cut from a circle meets the hem, and how far the other one lies under it there,
+over what hangs plumb."""
 LARGEST_TURN = 0.93
 """Most of a full turn that one panel may cover."""
 
@@ -49,6 +60,46 @@ def lay_flared_skirt(
         front = name == "skirt_front"
         _lay(table, name, shaped_sector(upper, lower, length, top_y, hem, front=front), front)
     sew_sides(table, "skirt")
+
+
+def lay_round_wrap_skirt(
+    table: CuttingTable, waist: Halves, length: float, top_y: float, fraction: float, overlap: Overlap
+) -> None:
+    """Lays a skirt cut from a circle whose fronts lie over each other, and sews its sides.
+
+    Its panels have the edges of `lay_fitted_skirt`.
+
+    Args:
+        table: Where they go.
+        waist: Half widths of the upper edge, cm.
+        length: Upper edge to hem, cm.
+        top_y: World height of the middle of the upper edge, cm.
+        fraction: Part of a full circle that front and back make together.
+        overlap: How the fronts lie over each other, where they would hang straight down.
+    """
+    radius = waist.girth / (2 * math.pi * fraction)
+    wider = 1 + length / radius  # edges that hang plumb are as much farther aside at the hem
+    shape = replace(
+        overlap, edge=overlap.edge * wider * _EDGE_SHARE, under=overlap.under * wider * _UNDER_SHARE
+    )
+    for half, front in ((waist.front, True), (waist.back, False)):
+        outline = _round_half(half, half * wider, length, top_y).both_halves()
+        far, (x, y) = radius + length, outline.at
+        outline.arc("hem", (-x, y), far, right=True).closed()
+        if front:
+            lay_overlapping(table, *overlapping(outline, shape))
+        else:
+            _lay(table, "skirt_back", outline, front)
+    sew_overlapping_sides(table)
+
+
+def _round_half(upper: float, lower: float, length: float, top_y: float) -> Outline:
+    """The left half of a skirt piece, from the lower end of its side over its waist to the middle."""
+    radius = length * upper / (lower - upper)
+    angle, centre = upper / radius, top_y + radius
+    ends = [(r * math.sin(angle), centre - r * math.cos(angle)) for r in (radius + length, radius)]
+    outline = Outline(*ends[0]).line("side", *ends[1])
+    return outline.arc("waist", (0.0, top_y), radius, right=False)
 
 
 def lay_flounce(table: CuttingTable, length: float, top_y: float, fraction: float) -> None:

@@ -14,7 +14,8 @@ from swifttailor.pattern.drafts.bodice import (
     sew_torso,
 )
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
-from swifttailor.pattern.drafts.figure import Figure
+from swifttailor.pattern.drafts.figure import Figure, Halves
+from swifttailor.pattern.drafts.hem_dart import HemDart, draw_darted_hem
 from swifttailor.pattern.drafts.outline import Outline
 from swifttailor.pattern.drafts.side_seam import as_long, draw_side, runs_back, side_length
 
@@ -30,6 +31,16 @@ STRAP_LIFT = 0.4
 """Part of the front's extra length over the bust that the straps have."""
 _HIP_CM, _SHAPED_HIP_CM = 6.0, 2.0
 """Least room over the body at the hem, cm around; of sides that bend in, besides what they lose above it."""
+_ON_RIBS_CM, _MOST_FLARE_CM = 1.5, 4.0
+"""Room on the ribs of what ends above the waist, cm around; hems with more flare than that hang free."""
+_DARTS_CM, _DART_SHARE, _DART_BELOW_CM = (4.5, 3.0), 0.75, 2.5
+"""The widest dart in front and behind, cm; the part of what is to be taken in that darts take; and how far
+below the bust, and behind below the underarm, they end."""
+_LOWEST_DART_CM, _LEAST_DART_CM, _ASIDE = 4.0, 1.0, 0.46
+"""Height of the lowest dart and width of the least one, cm; where that of the back is, as a part of the way
+to the side."""
+_STEEPEST = 0.3
+"""How far aside a side seam may run over how far it runs down."""
 
 
 @dataclass(frozen=True)
@@ -69,7 +80,14 @@ def lay_strap_bodice(table: CuttingTable, figure: Figure, shape: StrapBodice) ->
         widening = (body.girth - chest.girth) / 4
     widening += shape.flare / 4
     behind = runs_back(chest, body, widening, under_y - hem_y) if shaping or hugs else 0.0
-    front_corner = (chest.front + widening - behind, hem_y + 0.5)
+    ends = {True: chest.front + widening - behind, False: chest.back + widening + behind}
+    darts: dict[bool, HemDart | None] = {True: None, False: None}
+    draws_in = shape.length < 0.0 and not hugs and shape.flare <= _MOST_FLARE_CM
+    if draws_in:
+        body = ribs_at(figure, hem_y).eased(_ON_RIBS_CM)
+        for front in darts:
+            darts[front], ends[front] = _drawn_in(figure, chest, body, hem_y, under_y, front=front)
+    front_corner = (ends[True], hem_y + 0.5)
     for side, half in (("f", chest.front), ("b", chest.back)):
         front = side == "f"
         drop = HEM_BALANCE * figure.front_fullness if front else 0.0
@@ -77,11 +95,14 @@ def lay_strap_bodice(table: CuttingTable, figure: Figure, shape: StrapBodice) ->
         base_y = figure.bust_y + OVER_BUST if front else under_y + OVER_UNDERARM
         base_y = max(base_y, under_y + 0.5)
         outline = Outline(0.0, hem_y - drop)
-        corner = front_corner if front else (half + widening + behind, hem_y + 0.5)
-        if (shaping or hugs) and not front:
+        corner, dart = (ends[front], hem_y + 0.5), darts[front]
+        if (shaping or hugs or draws_in) and not front:
             seam = side_length(front_corner, (chest.front, under_y), shaping)
             corner = as_long(seam, corner, (half, under_y), shaping)
-        outline.quadratic("hem", (corner[0] * 0.6, hem_y - drop), corner)
+        if dart is not None:
+            draw_darted_hem(outline, corner, dart)
+        else:
+            outline.quadratic("hem", (corner[0] * 0.6, hem_y - drop), corner)
         draw_side(outline, (half, under_y), shaping, 0.0)
         low = max(base_y - (shape.dip if front else 0.0), hem_y - drop + SIDE_MINIMUM)
         draw_top_on_strap(outline, figure, shape.strap, base_y=base_y, low=low, lift=lift)
@@ -94,6 +115,30 @@ def lay_strap_bodice(table: CuttingTable, figure: Figure, shape: StrapBodice) ->
             back=not front,
         )
     sew_torso(table)
+
+
+def _drawn_in(
+    figure: Figure, chest: Halves, body: Halves, hem_y: float, under_y: float, *, front: bool
+) -> tuple[HemDart | None, float]:
+    """The dart of a half whose hem lies on the ribs, and how far from the middle its hem ends, cm.
+
+    Args:
+        figure: The body.
+        chest: Half widths at the underarm.
+        body: Half widths of the sewn hem.
+        hem_y: Height of the hem.
+        under_y: Height of the underarm.
+        front: Of the front, or of the back.
+    """
+    half, own = (chest.front, body.front) if front else (chest.back, body.back)
+    room = max(half - own, 0.0)
+    tip_y = (figure.bust_y if front else under_y) - _DART_BELOW_CM
+    width = min(_DART_SHARE * room, _DARTS_CM[0 if front else 1])
+    slant = min(room - width, _STEEPEST * (under_y - hem_y))
+    end = half - slant
+    if width < _LEAST_DART_CM or tip_y - hem_y < _LOWEST_DART_CM:
+        return None, half - min(room, _STEEPEST * (under_y - hem_y))
+    return HemDart(figure.bust_x if front else _ASIDE * end, width, tip_y), end
 
 
 def draw_top_on_strap(

@@ -16,9 +16,9 @@ _LEVEL = 0.8
 """A hem runs aside at least so many times as far as it rises."""
 _HEM_CM, _PANELS_CM = 5.0, 30.0
 """A hem reaches so near to the lowest point of its panel, and that to the lowest of the garment, cm."""
-_ARMHOLE_CM, _BESIDE_CM, _SHOULDER_CM = 8.0, 4.0, 8.0
+_ARMHOLE_CM, _BESIDE_CM, _SHOULDER_CM = 6.0, 4.0, 8.0
 """An armhole rises at least so far, lies so far from the middle, ends so near to the top of its panel, cm."""
-_SHORTEST_CM, _NEAR_MIDDLE_CM = 1.0, 2.0
+_SHORTEST_CM, _NEAR_MIDDLE_CM, _MEETING_CM = 1.0, 2.0, 0.01
 
 
 def neck_edges(pattern: Pattern) -> tuple[EdgeRef, ...]:
@@ -41,14 +41,26 @@ def armhole_edges(pattern: Pattern) -> tuple[EdgeRef, ...]:
     taken = {*neck_edges(pattern), *hem_edges(pattern)}
     if not neck_edges(pattern):
         return ()
-    found = []
+    found, ends, below = [], [], []
     for ref, points in _free(pattern):
-        rises = float(np.ptp(points[:, 1])) > _ARMHOLE_CM and float(np.abs(points[:, 0]).min()) > _BESIDE_CM
-        if "torso" in ref.panel and ref not in taken and rises:
-            outline = pattern.panel(ref.panel).to_world(pattern.panel(ref.panel).outline(0.5))
-            upper = float(points[:, 1].max()) >= float(outline[:, 1].max()) - _SHOULDER_CM
-            found += [ref] if upper else []
+        if "torso" not in ref.panel or ref in taken or float(np.abs(points[:, 0]).min()) <= _BESIDE_CM:
+            continue
+        outline = pattern.panel(ref.panel).to_world(pattern.panel(ref.panel).outline(0.5))
+        upper = float(points[:, 1].max()) >= float(outline[:, 1].max()) - _SHOULDER_CM
+        if upper and float(np.ptp(points[:, 1])) > _ARMHOLE_CM:
+            found.append(ref)
+            ends += [(ref.panel, points[k]) for k in (0, -1)]
+        else:
+            below.append((ref, points))
+    # An armhole that is cut in between the shoulder blades goes on below its upper edge.
+    found += [ref for ref, points in below if any(_meets(ref.panel, points, end) for end in ends)]
     return tuple(found)
+
+
+def _meets(panel: str, points: Floats, end: tuple[str, Floats]) -> bool:
+    """Whether an edge of a panel begins or ends where another one does."""
+    apart = [float(np.abs(points[k] - end[1]).max()) for k in (0, -1)]
+    return panel == end[0] and min(apart) < _MEETING_CM
 
 
 def sleeve_ends(pattern: Pattern) -> tuple[EdgeRef, ...]:

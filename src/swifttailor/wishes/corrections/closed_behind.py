@@ -8,11 +8,13 @@ from swifttailor.describing.differences import Gain
 from swifttailor.wishes.reader import Wish
 from swifttailor.wording.lexicon import WordReading
 
-_DETAILS = "styles"
+_DETAILS, _ASIDE = "styles", "asymmetric_closing"
 
 
 def without_opposites(found: Sequence[Wish], words: WordReading) -> tuple[Wish, ...]:
-    """The wishes, without what the words of a trim speak against and no other word says.
+    """The wishes, without what the words of a trim or a closing speak against and no other word says.
+
+    A network hears two unlike sides, and sleeves of two lengths, in "an asymmetrical zip".
 
     Args:
         found: What is heard.
@@ -23,7 +25,7 @@ def without_opposites(found: Sequence[Wish], words: WordReading) -> tuple[Wish, 
         for mark in words.marks
         if not mark.denied
         for entry in mark.entries
-        if entry.category == _DETAILS and entry.trims
+        if entry.category == _DETAILS and (entry.trims or _ASIDE in entry.cannot)
     ]
     implied = {i.claim for i in words.implications}
     against = {claim for entry in trims for claim in entry.against} - implied

@@ -63,7 +63,7 @@ _OF_WINGS: Mapping[str, Mapping[str, float]] = {
 """The same of sleeves that are cut in one: a close neckline stands off beside and behind the neck."""
 _WING_CM, _COAT_WING_CM = 18.0, 10.0
 """Where such sleeves begin, cm below the underarm."""
-_TANK, _OF_RACERS = "tank-top", {"strap_width": 3.5, "back_neck_depth": 8.0}
+_TANK, _OF_RACERS = "tank-top", {"strap_width": 3.5, "neck_widening": 1.5, "back_neck_depth": 8.0}
 """Straps of a back that is cut in are at most so wide, and its neck so deep, cm."""
 _SLEEVED = ("shift-dress",)
 """Drafts that have sleeves only where an option says so."""

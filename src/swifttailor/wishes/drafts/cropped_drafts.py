@@ -16,6 +16,7 @@ _CROPPED: Mapping[str, tuple[str, Mapping[str, float]]] = {
         ("chest_ease", {"cropped": 3.5, "waist": 5.5}),
     ),
     **dict.fromkeys(("sweatshirt", "hoodie"), ("chest_ease", {"cropped": 6.0, "waist": 7.0})),
+    "camisole": ("chest_ease", {"cropped": -4.0}),
     **dict.fromkeys(
         ("t-shirt", "shirt", "turtleneck", "tank-top"), ("chest_ease", {"cropped": -2.0, "waist": 1.0})
     ),
@@ -29,11 +30,23 @@ _OVER_OTHERS_CM, _LIFTED_CM = 18.0, 6.0
 _CROPPED_EASE_CM = 12.0
 """Wider ones stand off where they end."""
 _HIGH_HIP, _SHORT_JACKET_CM = Claim("top_hem", "high hip"), 13.0
+_SHORT = frozenset({_HIGH_HIP, Claim("top_hem", "cropped"), Claim("top_hem", "waist")})
+_BARE_ARMS = Claim("sleeves", "none")
 _JACKETS = frozenset({"turtleneck", "blazer", "cardigan", "shirt", "denim-jacket", "bomber-jacket"})
 """Jackets that are asked for short end so far below the waist."""
 _BANDED = frozenset({"denim-jacket", "bomber-jacket", "sweatshirt", "hoodie"})
 _CROPPED_BANDED: Mapping[str, float] = {"chest_ease": 11.0, "hem_band_ease": 1.0}
 """Room of what a band ends at the waist: bands that are higher or wider stand off like a shelf."""
+_PADDED_CM, _BOMBER = 18.0, "bomber-jacket"
+"""Jackets on a standing collar with so much room are padded; where they are short, a band draws them in."""
+_KEPT: Mapping[str, tuple[float, float]] = {
+    "chest_ease": (0.0, 11.0),
+    "sleeve_length": (12.0, 66.0),
+    "arm_ease": (0.0, 16.0),
+    "sleeve_end": (24.0, 32.0),
+    "collar_height": (4.0, 6.0),
+}
+"""What a banded jacket has of one that was drafted without a band, at least and at most."""
 
 
 def cropped_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
@@ -47,7 +60,9 @@ def cropped_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
         bare = not any(c.name == "sleeves" and c.value != "none" for c in claims)
         draft = NamedDraft("tank-top" if bare else "t-shirt", ())
         claims = [*claims, Claim("top_hem", "cropped")]
-    if draft.name in _JACKETS and _HIGH_HIP in claims:
+    if _is_padded(draft) and not _SHORT.isdisjoint(claims) and _BARE_ARMS not in claims:
+        draft = _banded(draft)
+    if draft.name in _JACKETS and _HIGH_HIP in claims and _SHORT.isdisjoint({*claims} - {_HIGH_HIP}):
         length = min(float(dict(draft.options).get("length", _SHORT_JACKET_CM)), _SHORT_JACKET_CM)
         return replace(draft, options=tuple({**dict(draft.options), "length": length}.items()))
     if draft.name not in _CROPPED:
@@ -68,6 +83,21 @@ def cropped_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
         options["length"] = max(asked[0], _WITH_WINGS_CM.get(draft.name, 8.0))
     elif draft.name in _BANDED and asked[0] == lengths["cropped"]:
         options |= {k: min(float(options.get(k, most)), most) for k, most in _CROPPED_BANDED.items()}
-    elif asked[0] < 0:
+    elif asked[0] < 0 and draft.name != "camisole":  # which is close at the bust by itself
         options[room] = min(float(options.get(room, _CROPPED_EASE_CM)), _CROPPED_EASE_CM)
     return replace(draft, options=tuple(options.items()))
+
+
+def _is_padded(draft: NamedDraft) -> bool:
+    """Whether it is a wide jacket that is closed up to a standing collar."""
+    own = dict(draft.options)
+    stands = draft.name == "turtleneck" and own.get("rolled") is False and not own.get("waist_shaping")
+    set_in = own.get(ARMHOLE, "set-in") == "set-in" and own.get("sleeves", True)
+    return stands and bool(set_in) and float(own.get("chest_ease", 0.0)) >= _PADDED_CM
+
+
+def _banded(draft: NamedDraft) -> NamedDraft:
+    """The same jacket with a band at its hem and cuffs."""
+    own = dict(draft.options)
+    kept = {n: min(max(float(own[n]), low), high) for n, (low, high) in _KEPT.items() if n in own}
+    return NamedDraft(_BOMBER, tuple(kept.items()))

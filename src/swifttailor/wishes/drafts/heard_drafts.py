@@ -32,6 +32,7 @@ from swifttailor.wishes.drafts.sailor_collars import asks_for_sailor_collar, wit
 from swifttailor.wishes.drafts.straight_edges import straight_as_said
 from swifttailor.wishes.drafts.tiers_as_asked import tiers_as_asked
 from swifttailor.wishes.drafts.tops_to_the_legs import is_long_top, to_the_legs_as_said
+from swifttailor.wishes.drafts.wound_skirts import wound_as_asked
 from swifttailor.wishes.text.tier_heights import tier_as_said
 from swifttailor.wishes.trims.button_counts import closed_as_counted
 from swifttailor.wording.lexicon import Entry
@@ -110,6 +111,7 @@ def drafts_of(heard: Heard) -> tuple[NamedDraft, ...]:
     fitting = [with_details(draft, lacks, sure) for draft in fitting]
     fitting = [tiers_as_asked(godets_as_asked(draft, sure), sure) for draft in fitting]
     fitting = [bubble_as_asked(draft, heard.lacks, sure) for draft in fitting]
+    fitting = wound_as_asked(fitting, sure)
     fitting = [pleats_as_asked(draft, heard.lacks, sure) for draft in fitting]
     fitting = [huge_as_said(tier_as_said(draft, heard.text), heard.text) for draft in fitting]
     closed = [closed_as_counted(draft, heard.text) for draft in fitting]

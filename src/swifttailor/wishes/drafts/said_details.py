@@ -26,9 +26,11 @@ _RISE_CM = 4.0
 _BIBBED = ("dungarees", "pinafore", "apron")
 _LOOSE = frozenset({Claim("fit", "loose"), Claim("fit", "oversized"), Claim("legs", "wide")})
 _DUNGAREES, _ROOMY = "dungarees", {"hip_ease": 14.0, "leg_ease": 30.0, "flare": 2.0, "crotch_drop": 4.0}
-_PADS = "shoulder_pads"
-_SHOULDERED, _BEYOND = ("blazer", "coat"), ("shoulder_extension", 4.5)
-"""How far beyond the shoulder tips jackets with padded shoulders reach, cm."""
+_SHOULDERED, _EXTENSION = ("blazer", "coat"), "shoulder_extension"
+_BEYOND = {"shoulder_pads": 4.5, "huge_shoulders": 5.5}
+"""How far beyond the shoulder tips jackets reach whose shoulders are padded, or huge, cm."""
+_NIPPED = {"waist_shaping": 3.5}
+"""Of jackets with huge shoulders: they are close at the waist."""
 _TRAILING, _TRAILS = "trailing_sleeves", ("sleeve_shape", "trailing")
 _MAY_TRAIL = (
     *("robe", "hooded-coat", "shift-dress", "swing-dress", "fitted-dress", "skater-dress", "shirt-dress"),
@@ -59,8 +61,11 @@ def with_details(draft: NamedDraft, lacks: Collection[str], claims: Collection[C
     if draft.name == _DUNGAREES and not options.get("stretch") and not _LOOSE.isdisjoint(claims):
         short = float(options.get("length", _CALF_CM)) <= _SHORT_CM
         more |= {name: max(own, float(options.get(name, own))) for name, own in _ROOMY.items() if not short}
-    if _PADS in lacks and draft.name in _SHOULDERED:
-        more[_BEYOND[0]] = max(_BEYOND[1], float(options.get(_BEYOND[0], 0.0)))
+    beyond = [reach for what, reach in _BEYOND.items() if what in lacks]
+    if beyond and draft.name in _SHOULDERED:
+        more[_EXTENSION] = max([*beyond, float(options.get(_EXTENSION, 0.0))])
+    if "huge_shoulders" in lacks and draft.name == "blazer" and _LOOSE.isdisjoint(claims):
+        more |= _NIPPED
     if _TRAILING in lacks and draft.name in _MAY_TRAIL and _FULL_ABOVE.isdisjoint(claims):
         more |= {
             _TRAILS[0]: _TRAILS[1],

@@ -15,6 +15,7 @@ from swifttailor.pattern.drafts.fitted_skirt import (
     lay_fitted_skirt,
     sew_overlap_to_band,
 )
+from swifttailor.pattern.drafts.flared_skirt import lay_round_wrap_skirt
 from swifttailor.pattern.drafts.measurements import Measurements
 from swifttailor.pattern.drafts.options import Option
 from swifttailor.pattern.pattern import Pattern
@@ -27,6 +28,17 @@ OverlapEdge = Annotated[
     float, Option("Where the edge of the upper front meets the hem, likewise.", "cm", -20.0, 20.0)
 ]
 OverlapUnder = Annotated[float, Option("How far the lower front reaches under it there.", "cm", 6.0, 40.0)]
+Round = Annotated[
+    float,
+    Option(
+        "Part of a full circle that it is cut from; less than 0.3: shaped by side seams and darts.",
+        "circles",
+        0.0,
+        0.75,
+    ),
+]
+_ROUND_FROM, _LEAST_FALL_CM = 0.3, 15.0
+"""What is less of a circle is cut with darts; how long what hangs from the waistband is at least, cm."""
 
 
 @dataclass(frozen=True)
@@ -41,6 +53,7 @@ class WrapSkirtOptions:
     overlap_under: OverlapUnder = 24.0
     band_height: declared.BandHeight = 4.0
     waist_ease: declared.BandEase = 0.0
+    fraction: Round = 0.0
 
 
 def draft_wrap_skirt(options: WrapSkirtOptions, measurements: Measurements) -> Pattern:
@@ -72,6 +85,13 @@ def _wound(name: str, options: WrapSkirtOptions | SarongOptions, measurements: M
     table = CuttingTable(name)
     lower = lay_body_waist_band(table, figure, options.band_height, options.waist_ease)
     overlap = Overlap(options.overlap_aside, options.overlap_edge, options.overlap_under)
+    fraction = options.fraction if isinstance(options, WrapSkirtOptions) else 0.0
+    if fraction >= _ROUND_FROM:
+        fall = max(options.length - options.band_height, _LEAST_FALL_CM)
+        top_y = figure.waist_y - options.band_height - 3.0
+        lay_round_wrap_skirt(table, lower, fall, top_y, fraction, overlap)
+        sew_overlap_to_band(table)
+        return table.finish()
     skirt = FittedSkirt(options.length, options.hip_ease, options.flare, overlap)
     lay_fitted_skirt(table, figure, skirt, lower, figure.waist_y - options.band_height)
     sew_overlap_to_band(table)

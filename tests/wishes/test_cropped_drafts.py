@@ -1,0 +1,49 @@
+"""Tops that end above the hips are drawn in at their hems."""
+
+from __future__ import annotations
+
+import pytest
+
+from swifttailor import draft
+from swifttailor.describing import Claim
+from swifttailor.pattern.drafts.draft_names import NamedDraft
+from swifttailor.wishes.drafts.cropped_drafts import cropped_as_asked
+
+PUFFER = NamedDraft.parse("turtleneck(collar_height=7;rolled=false;chest_ease=24;sleeve_end=29;arm_ease=14)")
+
+
+@pytest.mark.parametrize("hem", ["cropped", "waist", "high hip"])
+def test_short_padded_jackets_have_a_band(hem):
+    made = cropped_as_asked(PUFFER, [Claim("top_hem", hem)])
+    assert made.name == "bomber-jacket" and dict(made.options)["arm_ease"] == 14.0
+    assert "wb_back" in {panel.name for panel in draft(made.name, **dict(made.options)).panels}
+
+
+@pytest.mark.parametrize(
+    ("named", "claims"),
+    [
+        (PUFFER, [Claim("top_hem", "hip")]),
+        (PUFFER, [Claim("top_hem", "cropped"), Claim("sleeves", "none")]),
+        (NamedDraft.parse("turtleneck(chest_ease=24)"), [Claim("top_hem", "cropped")]),
+        (NamedDraft.parse("turtleneck(rolled=false;chest_ease=5)"), [Claim("top_hem", "cropped")]),
+    ],
+)
+def test_others_have_none(named, claims):
+    assert cropped_as_asked(named, claims).name == "turtleneck"
+
+
+@pytest.mark.parametrize("length", [-8.0, -4.0, -1.0])
+def test_camisoles_lie_on_the_ribs(length):
+    """Darts take in what hangs from the bust; wide hems and cloth that stretches have none."""
+
+    def corners(**options):
+        return [len(draft("camisole", **options).panel(f"left_{side}torso").edges) for side in "fb"]
+
+    plain = corners(length=1.0)
+    assert corners(length=length) == [count + 3 for count in plain]
+    assert corners(length=length, flare=12.0) == corners(length=length, stretch=12.0) == plain
+
+
+def test_cropped_camisoles_are_close_at_the_bust():
+    made = cropped_as_asked(NamedDraft("camisole"), [Claim("top_hem", "cropped")])
+    assert made.options == (("length", -4.0),)
