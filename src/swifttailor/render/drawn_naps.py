@@ -65,7 +65,7 @@ def pile() -> Array:
     soft = 0.7 * even_noise(chance, 5.0, stretch=2.2, spread=0.5) + 0.3 * even_noise(
         chance, 20.0, stretch=2.0
     )
-    return RAMP * np.clip(1.0 + 0.5 * soft, 0.0, 2.0)
+    return RAMP * np.clip(1.0 + 0.22 * soft, 0.0, 2.0)
 
 
 def channels() -> Array:
