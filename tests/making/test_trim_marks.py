@@ -37,7 +37,8 @@ from swifttailor.pattern.trims import (
 NAMES = (
     "denim-jacket", "trench coat", "trousers", "shirt-dress", "zipped hoodie", "hoodie", "dungarees",
     "joggers", "polo shirt", "suit", "puffer", "turned-up trousers", "tunic",
-    "dirndl", "blouse", "piped shirt", "yoked blouse", "cape", "working vest", "biker jacket", "raincoat",
+    "dirndl", "blouse", "piped shirt", "yoked blouse", "cape", "working vest", "track top", "track bottoms",
+    "biker jacket", "raincoat",
     "banded dress", "sundress", "vest", "pyjama bottoms", "slip", "suit trousers", "hakama",
     "keyhole top", "police shirt", "cheongsam",
     "hospital gown", "smock", "corset dress",

@@ -100,7 +100,9 @@ def _inside(panel: Panel, seam: Floats, near: float, far: float) -> tuple[Floats
     inside = np.flatnonzero(held)  # ends that slant cut the corners of a strip off
     if len(inside) < _LEAST * len(seam) or np.ptp(inside) != len(inside) - 1:
         return None
-    return lines[0][inside], lines[1][inside]
+    first, second = lines[0][inside], lines[1][inside]
+    is_plain = shapely.Polygon([*first, *second[::-1]]).is_valid  # tight bends fold a strip over itself
+    return (first, second) if is_plain else None
 
 
 def outer_seams(pattern: Pattern, panels: re.Pattern[str]) -> list[tuple[EdgeRef, EdgeRef]]:
