@@ -115,3 +115,7 @@ def test_what_is_cut_off_ends_nowhere():
     assert lowest_row(mask) == 89
     mask[90:95, 5:9] = True  # a foot
     assert lowest_row(mask) == 89
+    mask[93:97, 5:30] = True  # a piece of a boot
+    mask[92] = False
+    mask[90:92] = False
+    assert lowest_row(mask) == 89

@@ -26,6 +26,8 @@ _LOWEST_CM = 15.0
 _LEAST_WIDE, _USUAL = 0.4, 90.0
 """A garment goes down to where it is that wide, in the width that a tenth of its rows exceeds: below are
 pieces of legs."""
+_LEAST_PIECE = 0.15
+"""Smaller pieces, in the size of the largest, are boots and bags."""
 _AT_EDGE = 4
 """Rows from the edge of the picture: what ends there is cut off."""
 _SURE, _LEAST = 0.75, 0.03
@@ -69,8 +71,14 @@ def lowest_row(mask: NDArray[np.bool_]) -> int | None:
     """The row in which a garment ends; None where it is cut off by the picture's edge, or not there.
 
     Args:
-        mask: (h, w) where it is.
+        mask: (h, w) where it is; pieces that are far smaller than the largest do not count.
     """
+    from scipy import ndimage
+
+    pieces, count = ndimage.label(mask)
+    if count > 1:
+        sizes = np.bincount(pieces.ravel())[1:]
+        mask = np.isin(pieces, 1 + np.flatnonzero(sizes >= _LEAST_PIECE * sizes.max()))
     wide = mask.sum(axis=1)
     if not wide.any():
         return None
