@@ -46,6 +46,12 @@ def test_the_odds_may_go_half_of_the_way():
     )
 
 
+def test_what_could_not_be_surer_still_has_logits():
+    shares = answers()
+    shares["statements"][:, KIND] = [60.0, *[-60.0] * (len(KIND) - 1)]
+    assert np.isfinite(kinds_as_worn(shares)["statements"]).all()
+
+
 @given(st.lists(st.floats(0.01, 0.6), min_size=len(WORDS), max_size=len(WORDS)))
 def test_kinds_alone_change_by_their_odds_and_keep_their_sum(shares):
     given_ = answers(**dict(zip(WORDS, shares, strict=True)))

@@ -21,12 +21,14 @@ KINDS: Mapping[str, Mapping[str, tuple[float, float]]] = MappingProxyType(
         "lower": MappingProxyType({"skirt": (0.45, 0.1)}),
     }
 )
-"""By part of the body: the share of garments there that are of a kind, of those that are drawn to learn from,
-and of those in photographs of people (benchmarks/photographs)."""
+"""By part of the body: the share of garments there that are of a kind, of those that are drawn to learn from
+(docs/data.md, usual garments), and of those in photographs of people (benchmarks/photographs); rounded."""
 BEFORE_PLAIN = 0.5
 """How far the odds go before a plain ground, which may be a shop's: shops show as many skirts as trousers."""
 _MOST = 0.98
 """Nothing becomes surer than this by being more usual."""
+_LEAST = 1e-9
+"""What is so sure, or so unlikely, has a logit still."""
 
 
 def kinds_as_worn(answers: Mapping[str, Any], how_far: float = 1.0) -> dict[str, Any]:
@@ -51,6 +53,6 @@ def kinds_as_worn(answers: Mapping[str, Any], how_far: float = 1.0) -> dict[str,
                 drawn, worn = KINDS[name][labels[index][1]]
                 after[k] *= (worn / (1 - worn) * (1 - drawn) / drawn) ** how_far
         surest = max(float(before.max()), _MOST) / after.max()
-        after *= min(before.sum() / after.sum(), surest)
+        after = np.clip(after * min(before.sum() / after.sum(), surest), _LEAST, 1 - _LEAST)
         statements[number, kinds] = np.log(after) - np.log1p(-after)
     return dict(answers) | {"statements": statements}

@@ -13,6 +13,7 @@ from swifttailor.describing.facts import LandmarkFacts
 from swifttailor.describing.measuring.whole_pattern import landmarks_of
 from swifttailor.pattern.drafts.figure import Figure
 from swifttailor.pattern.drafts.measurements import DraftMeasurements
+from swifttailor.picture_reader.said import share_of
 from swifttailor.picture_reader.view import Square
 
 _HIPS, _KNEES, _ANKLES = slice(23, 25), slice(25, 27), slice(27, 29)
@@ -22,6 +23,7 @@ _LEAST_SEEN = 0.5
 _LEAST_THIGH = 0.55
 """Height of the thighs in that of the shins: those of somebody who sits, or bends, are shorter."""
 _ANKLE_CM = 8.0
+"""Of the default body, above the floor."""
 
 
 @dataclass(frozen=True)
@@ -45,8 +47,7 @@ class LegJoints:
         Returns:
             None where hips or knees are not seen, and of who sits.
         """
-        left_out = -np.clip(said[:, 3].astype(np.float64), -50, 50)
-        seen = 1 / (1 + np.exp(left_out))
+        seen = share_of(said[:, 3])
         if min(seen[_HIPS].max(), seen[_KNEES].max()) < _LEAST_SEEN:
             return None
         rows = square[1] + said[:, 1].astype(np.float64) * square[2] / size

@@ -23,6 +23,7 @@ _OFF_CM = 5.0
 _ABOVE_KNEE_CM = 14.0
 """So far above the knee a hem is near it; no top ends as low."""
 _LOWEST_CM = 15.0
+"""What ends lower is hardly a coat that is taken for a short one: its mask runs over trousers and boots."""
 _LEAST_WIDE, _USUAL = 0.4, 90.0
 """A garment goes down to where it is that wide, in the width that a tenth of its rows exceeds: below are
 pieces of legs."""

@@ -8,20 +8,8 @@ import numpy as np
 from numba import njit
 
 from swifttailor.render import cloth_table as _at
+from swifttailor.render import motifs as _motifs
 from swifttailor.render.compile_options import FAST
-from swifttailor.render.motifs import (
-    BANDS,
-    CREASES,
-    FIRST_GRAPHIC,
-    FIRST_MOTIF,
-    GRAPHIC_SIDE,
-    GRAPHICS,
-    MOTIFS,
-    NOISE_SIDE,
-    NOISE_STEPS,
-    SIDE,
-    SOFT,
-)
 from swifttailor.render.ramps import NAMED_SIDE, RAMP
 from swifttailor.render.raster_kernels import NOTHING, weigh
 
@@ -33,6 +21,9 @@ _U64 = np.uint64
 _COLORS, _SIZES, _WEAVE, _HOLE, _FOLDS = _at.COLORS, _at.SIZES, _at.WEAVE, _at.HOLE_COLOR, _at.FOLDS
 _WEAR, _GRAPHIC, _INKS, _BLOCK, _FADE = _at.WEAR, _at.GRAPHIC, _at.GRAPHIC_COLORS, _at.BLOCK, _at.FADE
 _MARKS, _MARK, _BLUR = _at.MARKS, _at.MARK, _at.BLUR
+BANDS, CREASES, MOTIFS, GRAPHICS = _motifs.BANDS, _motifs.CREASES, _motifs.MOTIFS, _motifs.GRAPHICS
+FIRST_MOTIF, FIRST_GRAPHIC, GRAPHIC_SIDE = _motifs.FIRST_MOTIF, _motifs.FIRST_GRAPHIC, _motifs.GRAPHIC_SIDE
+NOISE_SIDE, NOISE_STEPS, SIDE, SOFT = _motifs.NOISE_SIDE, _motifs.NOISE_STEPS, _motifs.SIDE, _motifs.SOFT
 
 
 @njit(**FAST)
