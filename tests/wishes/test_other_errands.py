@@ -4,14 +4,17 @@ from __future__ import annotations
 
 import pytest
 
+from swifttailor.describing.claims import Claim
+from swifttailor.describing.differences import Gain
 from swifttailor.wishes.descriptions.no_garment import asks_for_none
 from swifttailor.wishes.heard import Heard
+from swifttailor.wishes.reader import Wish
 from swifttailor.wording import read_words
 
 
-def refused(text: str) -> str:
+def refused(text: str, sure: tuple[Wish, ...] = ()) -> str:
     words = read_words(text)
-    return asks_for_none(Heard(text, lacks=tuple(words.lacks), words=words), text)
+    return asks_for_none(Heard(text, sure, lacks=tuple(words.lacks), words=words), text)
 
 
 @pytest.mark.parametrize(
@@ -69,3 +72,17 @@ def test_services_talk_and_jewellery_are_no_garments(text):
 )
 def test_clothes_for_people_are_made(text):
     assert not refused(text)
+
+
+GUESSED = (Wish(Gain(Claim("kind", "top")), 0.97),)
+"""What a network says of anything."""
+
+
+@pytest.mark.parametrize("text", ["a chair", "a table", "house"])
+def test_words_that_people_only_tell_stories_with_ask_for_nothing(text):
+    assert "No garment is asked for" in refused(text, GUESSED)
+
+
+@pytest.mark.parametrize("text", ["something nice to wear", "a dress", "a dress to wear in the office chair"])
+def test_beside_a_garment_they_ask_for_it(text):
+    assert refused(text, GUESSED) == ""

@@ -68,6 +68,10 @@ def asks_for_none(heard: Heard, text: str) -> str:
         # A network guesses of "hello", too.
         return _NO_GARMENT.format(text=quoted, near=_LIKE)
     guessed = bool(heard.sure or heard.likely)
+    speaks = told or known or heard.unread or any(m.word.lower() in _GO_WITH for m in words.marks)
+    if guessed and not speaks:
+        # And of "a chair", of which all words are known from what people tell beside their wishes.
+        return _NO_GARMENT.format(text=quoted, near=_LIKE)
     if not (told or guessed) and heard.unread and not any(map(_is_of_garments, known)):
         known = []  # "a refund on this": what is known of it tells nothing of clothes
     if not (told or known or guessed):
