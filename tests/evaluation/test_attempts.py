@@ -15,6 +15,7 @@ from swifttailor.evaluation.patterns.attempts import (
     attempts_of,
     first_fault,
     summarize_attempts,
+    until_sound,
 )
 from swifttailor.pattern import EdgeRef, Pattern, Stitch, read_specification
 from swifttailor.pattern.drafts import draft, list_drafts
@@ -46,6 +47,12 @@ def test_an_input_that_gives_nothing_counts_as_the_limit():
     assert attempts_of([bad] * 19) is None
     assert attempts_of([bad] * 3, limit=3) == Attempts(3, False, (bad,) * 3)
     assert attempts_of([*[bad] * 3, None], limit=3) == Attempts(3, False, (bad,) * 3)
+
+
+def test_those_after_the_first_sound_one_do_not_count(skirt, sewn_twice):
+    assert until_sound([skirt]) == until_sound([skirt, sewn_twice, skirt]) == 1
+    assert until_sound([sewn_twice, sewn_twice, skirt, skirt]) == 3
+    assert until_sound([sewn_twice] * 2) == 2, "all of them, where none is"
 
 
 def test_an_edge_sewn_twice_fails(sewn_twice):

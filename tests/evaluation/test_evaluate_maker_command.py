@@ -139,7 +139,7 @@ def test_without_options_it_measures_what_generate_and_edit_do(files, tmp_path, 
     assert (settings["alter"], settings["crop"], settings["network_alone"]) == (True, True, False)
     (line,) = (json.loads(line) for line in (out / "answers.jsonl").read_text().splitlines())
     assert line["attempts"] == len(seen) > 1 and line["errors"] == 0
-    assert f"{len(seen):.2f} patterns were tried for an answer; 0 of " in shown
+    assert f"{len(seen):.2f} patterns were tried for an answer, 1.00 until one could be made" in shown
     assert run([*asked, "--limit", "1", "--no-alter"]) == 2
     assert "alter was True, now False" in capsys.readouterr().err
 

@@ -244,6 +244,7 @@ def test_what_is_measured_is_what_people_get(texts, edits, book, monkeypatch):
         record, report = answer.record, made.report
         assert record["altered"] == report["alterations"]["cuts"]
         assert record["attempts"] == len(report["writing"]["failed_attempts"]) + 1
+        assert 1 <= record["until_sound"] <= record["attempts"]
         assert {"reading", "drawing"} <= set(record["seconds"])
     assert {"writing", "altering"} <= set(kept[0].record["seconds"])
     assert instructed.report["alterations"]["of_the_pattern_to_edit"]

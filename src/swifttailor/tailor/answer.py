@@ -64,6 +64,8 @@ class Answer:
     """Which of the attempts it is, from 0."""
     failures: tuple[str, ...] = ()
     """What is wrong with the attempts that were not taken, in order."""
+    tried: tuple[Pattern, ...] = ()
+    """The patterns of all attempts as they were judged, in order; empty of one that was given."""
     refinement: Refinement | None = None
     """What came of looking again; None where that was not done."""
     prepared: Any = None

@@ -78,7 +78,8 @@ def refined(
     if chosen == 0:
         return replace(answer, refinement=found)
     taken = others[chosen - 1]
-    return replace(taken, attempt=answer.attempt, failures=answer.failures, refinement=found)
+    asked = {"attempt": answer.attempt, "failures": answer.failures, "tried": answer.tried}
+    return replace(taken, **asked, refinement=found)
 
 
 def _distances(answers: Sequence[Answer], wanted: Wanted, part: str, sewer: Sewer) -> dict[int, float]:

@@ -253,7 +253,8 @@ def _chosen(tried: Sequence[Answer], sewer: Sewer, order: Order) -> Answer | Swi
             answer = _prepared(answer, sewer, order)
         if answer.prepared is not None:
             failures = tuple(one.verdict.fault for k, one in enumerate(tried) if k != taken)
-            return replace(answer, attempt=taken, failures=failures)
+            made = tuple(one.pattern for one in tried)
+            return replace(answer, attempt=taken, failures=failures, tried=made)
     return _refusal(tried[best_first[0]], len(tried))
 
 

@@ -12,6 +12,7 @@ from swifttailor.errors import InputError, SwiftTailorError
 from swifttailor.evaluation.maker.book import Book
 from swifttailor.evaluation.maker.pictures import GarmentPictures
 from swifttailor.evaluation.maker.questions import PICTURED, Question, seed_of
+from swifttailor.evaluation.patterns.attempts import until_sound
 from swifttailor.pattern import Pattern, Severity, check_pattern, read_specification, to_specification
 from swifttailor.pattern_maker.maker import ChosenDecoding, PatternMaker, Request, WrittenPattern
 from swifttailor.pattern_maker.temperatures import USUAL_TEMPERATURE
@@ -302,6 +303,7 @@ def _content(answer: Answer) -> Content:
         "tokens": 0 if written is None else written.tokens,
         "log_likelihood": 0.0 if written is None else written.log_likelihood,
         "attempts": len(answer.failures) + 1,
+        "until_sound": until_sound(answer.tried or [answer.pattern]),
         **({"known": answer.known} if answer.known else {}),
         **({"dropped": written.dropped} if written is not None and written.dropped else {}),
         "mended": [change.code for change in answer.changes],

@@ -59,7 +59,7 @@ class Scored:
         """Plain JSON values."""
         question, record = self.answer.question, self.answer.record
         kept = (
-            *("tokens", "log_likelihood", "attempts", "known", "mended", "altered", "not_so"),
+            *("tokens", "log_likelihood", "attempts", "until_sound", "known", "mended", "altered", "not_so"),
             *("dropped", "errors", "warnings", "error"),
         )
         return {
@@ -82,6 +82,8 @@ class TaskResult:
     adherence: AdherenceRows
     attempts: float
     """Patterns that were tried for an answer, in the mean."""
+    until_sound: float
+    """Patterns until one could be made into a garment, in the mean: #Sampling."""
     known: int
     """Answers that were cut from known patterns."""
     mended: int
@@ -99,6 +101,7 @@ class TaskResult:
             "patterns": {name: asdict(found) for name, found in self.patterns},
             "adherence": {name: asdict(found) for name, found in self.adherence},
             "attempts": self.attempts,
+            "until_sound": self.until_sound,
             "known": self.known,
             "mended": self.mended,
             "faulty": self.faulty,
@@ -142,13 +145,19 @@ def summarize_task(task: Task, scored: Sequence[Scored]) -> TaskResult:
         task,
         rows,
         _edit_adherence(questions, scored) if task == "edit" else _caption_adherence(questions, scored),
-        attempts=float(np.mean([r["attempts"] for r in records if "attempts" in r] or [0])),
+        attempts=_mean(records, "attempts"),
+        until_sound=_mean(records, "until_sound"),
         known=sum("known" in r for r in records),
         mended=sum(bool(r.get("mended")) for r in records),
         faulty=sum(r.get("errors", 0) > 0 for r in records),
         seconds=_seconds(records),
         dropped=sum(r.get("dropped", 0) for r in records),
     )
+
+
+def _mean(records: Sequence[dict[str, Any]], name: str) -> float:
+    """Over the records that have it; 0 where none has."""
+    return float(np.mean([record[name] for record in records if name in record] or [0]))
 
 
 def _caption_adherence(questions: Sequence[Question], scored: Sequence[Scored]) -> AdherenceRows:

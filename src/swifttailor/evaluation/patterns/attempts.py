@@ -50,6 +50,26 @@ def attempts_of(faults: Sequence[Fault | None], limit: int = MAX_ATTEMPTS) -> At
     return Attempts(limit, False, tuple(failures)) if len(failures) == limit else None
 
 
+def until_sound(patterns: Sequence[Pattern], edge_length: float = 2.0) -> int:
+    """How many of the patterns that were made for an answer it took until one could be made into a garment.
+
+    That is the paper's #Sampling of a method that may make further patterns for other reasons.
+
+    Args:
+        patterns: In the order in which they were made, at least one.
+        edge_length: See `first_fault`.
+
+    Returns:
+        That one included; the number of all where there is none.
+    """
+    count = 0
+    for pattern in patterns:
+        count += 1
+        if first_fault(pattern, edge_length) is None:
+            break
+    return count
+
+
 @dataclass(frozen=True)
 class AttemptsSummary:
     """#Sampling over many inputs."""

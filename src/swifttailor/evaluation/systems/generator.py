@@ -46,8 +46,9 @@ class Generator(Protocol):
 
         Returns:
             For each what is kept of its answer: ``pattern``, a GarmentCode specification; and where they are
-            known ``attempts``, the patterns that were made for it, and ``seconds`` of all that were answered
-            together by stage, beside ``together``, how many these were. Or why there is none.
+            known ``attempts``, the patterns that were made for it, ``until_sound``, those until one could be
+            made into a garment, and ``seconds`` of all that were answered together by stage, beside
+            ``together``, how many these were. Or why there is none.
         """
         ...
 

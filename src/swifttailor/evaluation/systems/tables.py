@@ -89,7 +89,7 @@ def _garment_table(
                     None if cell.emd is None else cell.emd.mean,
                     None if sets is None else sets.mmd,
                     0.0 if sets is None else sets.coverage,
-                    results[cell.generator].attempts or None,
+                    results[cell.generator].until_sound or None,
                     100 * cell.made / asked,
                     100 * cell.sound / asked,
                     None if cell.accepted is None else 100 * cell.accepted / asked,
@@ -108,9 +108,9 @@ def _garment_table(
         "CD (to the drape of the pattern asked for) and MMD in cm2, EMD in cm, COV: share; 10,000 points,\n"
         f"2,048 for EMD; of the {cells[0].compared} that have such a drape. CD and EMD are means over the\n"
         "garments that were made; what was not made lowers\n"
-        "COV, and counts as not sound and not within the limits. #Sampling: patterns made for an answer,\n"
-        "where that is known. The paper states neither unit nor number of points, and has other data:\n"
-        "see docs/evaluation.md.",
+        "COV, and counts as not sound and not within the limits. #Sampling: patterns made until one could\n"
+        "be made into a garment, where that is known. The paper states neither unit nor number of points,\n"
+        "and has other data: see docs/evaluation.md.",
         _GARMENT_COLUMNS,
         rows,
     )
