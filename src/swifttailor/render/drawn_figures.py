@@ -10,7 +10,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from swifttailor.arrays import Array
-from swifttailor.render import drawn_animals
+from swifttailor.render import drawn_animals, drawn_beasts
 from swifttailor.render.figure_shapes import Shape, in_pairs, line, oval, polygon, star
 
 _RADIUS = 0.225
@@ -183,6 +183,7 @@ _DRAWN: Mapping[str, list[tuple[int, Shape]]] = {
         (3, polygon((-0.1, 0.65), (-0.1, -0.25), (-0.6, -0.25))),
     ],
     **drawn_animals.DRAWN,
+    **drawn_beasts.DRAWN,
 }
 FIGURES = (*_DRAWN, "splatters")
 """Names, in the order in which they lie in the bank of patterns."""

@@ -20,9 +20,9 @@ _PART = re.compile(
     r"(?:collar|cuff|hem|neck|waist|band|trim|edge|welt|bündchen|kragen|col|poignet)", re.IGNORECASE
 )
 """What is ribbed alone, where it stands behind the word."""
-_FINE, _COARSE, _CORD = (0.7, 0.5), (1.2, 0.8), (0.6, 0.3)
+_FINE, _COARSE, _CORD = (0.9, 0.6), (1.3, 0.9), (0.9, 0.5)
 """Widths of ribs and of what lies between them, cm."""
-_SHADE = 0.8
+_SHADE = 0.72
 """How light the hollows between ribs are beside them."""
 
 
