@@ -235,6 +235,7 @@ def test_cushions_are_of_the_hue_of_their_cloth(color):
         ("black and white zigzag dress", "zigzag", ("#000000", "#ffffff")),
         ("brown herringbone tweed trousers", "herringbone", ("#6b4423", "#452f1f")),
         ("pink camo leggings", "camouflage", ("#f2a9bb", "#9a6e7b", "#f3d1d4", "#4e3a42")),
+        ("purple galaxy hoodie", "galaxy", ("#12142e", "#3d2d58", "#5a3d74", "#8873a0", "#ffffff")),
         ("white dress with rabbits", "rabbits", ("#ffffff", "#b1afad", "#e6a8ae", "#4a3d3a")),
     ],
 )

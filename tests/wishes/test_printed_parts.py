@@ -19,6 +19,7 @@ from swifttailor.wording.lexicon import read_words
         ("shirt with a floral collar and cuffs", ("collar", "cuffs"), ()),
         ("blue shirt, sleeves in tartan", ("sleeves",), ()),
         ("white dress with a floral skirt", ("skirt",), ()),
+        ("navy dress with white polka dot skirt", ("skirt",), ()),
         ("blue jeans with leopard print pockets", (), ("pockets",)),
         ("white dress with gingham trim", (), ("trim",)),
         ("polka dot dress with striped sleeves", (), ("sleeves",)),

@@ -156,7 +156,7 @@ def motif_inks(name: str, named: Sequence[str]) -> tuple[str, ...]:
         return _tied(named)
     if name in _SKINS:
         return _coat(name, named)
-    if name == "serape" or (name == "patchwork" and len(named) == 1):
+    if name in ("serape", "rainbow") or (name == "patchwork" and len(named) == 1):
         return (*named, *[ink for ink in _INKS[name] if ink not in named])[:6]
     if name == "ombre":
         return _faded(named)
@@ -167,7 +167,8 @@ def motif_inks(name: str, named: Sequence[str]) -> tuple[str, ...]:
         dark = mixed(first, _BLACK, 0.25)
         return first, mixed(first, _BLACK, 0.6), mixed(first, LIGHT, 0.45), dark
     if name == "galaxy":
-        return first, other, mixed(first, other, 0.5), named[2] if len(named) > 2 else other, _WHITE
+        night, glow = _INKS[name][0], other if len(named) > 1 else mixed(first, LIGHT, 0.7)
+        return night, mixed(first, night, 0.6), first, glow, _WHITE
     if name == "patchwork":
         tints = (
             mixed(first, other, 0.5),

@@ -89,7 +89,10 @@ def _said_of(text: str, marks: Sequence[WordMark], k: int) -> list[WordMark]:
     """The parts beside a print, in the order of the text."""
     if category_of(marks[k]) != "prints":
         return []
-    said = _WITH.search(text[: marks[k].start]) is not None
+    first = k
+    while first > 0 and category_of(marks[first - 1]) in ("colors", "shades"):
+        first -= 1  # "with a white polka dot skirt"
+    said = _WITH.search(text[: marks[first].start]) is not None
     behind = [m for m in marks[k + 1 :] if category_of(m) != "function"]
     if behind and _is_part(behind, 0, said) and _BESIDE.fullmatch(text[marks[k].end : behind[0].start]):
         found = [behind[0]]
