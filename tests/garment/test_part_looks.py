@@ -29,9 +29,10 @@ from swifttailor.garment.part_looks import (
     plain_but_for,
     stated_looks,
 )
-from swifttailor.garment.preview import draw_preview
+from swifttailor.garment.preview import draw_preview, trim_surfaces
 from swifttailor.garment.triangle_mesh import mesh_of_garment
 from swifttailor.garment.trim_colors import trim_color
+from swifttailor.panel_mesh import mesh_pattern
 from swifttailor.pattern.drafts import draft
 from swifttailor.render.color import encode_srgb, to_linear
 
@@ -264,3 +265,16 @@ def test_a_print_may_be_on_one_part_alone(skirt):
     assert seen.color is None and seen.is_sheer
     red = merged(looks, [PartLook("skirt", "#ff0000")])
     assert looks_of_panels(replace(garment, looks=red))[0].color == "#ff0000"
+
+
+def test_bands_around_a_garment_whose_sleeves_alone_are_printed_are_plain():
+    pattern = draft("t-shirt", sleeve_length=20.0)
+    mesh = mesh_pattern(replace(pattern, trims=("bands",)), 6.0)
+    world = np.zeros((mesh.vertex_count, 3))
+    for k, panel in enumerate(pattern.panels):
+        own = mesh.flat_panel == k
+        world[mesh.weld[own]] = panel.to_world(mesh.flat_vertices[own])
+    looks = plain_but_for([PartLook("sleeves", printed=True)], "#808080")
+    dots = ClothPrint("dots", ("#ff0000", "#00ff00"))
+    garment = Garment(mesh, world, color="#808080", print=dots, looks=looks)
+    assert all(surface.print is None for surface in trim_surfaces(garment))

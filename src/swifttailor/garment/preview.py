@@ -54,7 +54,8 @@ def trim_surfaces(garment: Garment, color: Color | None = None) -> list[Surface]
         if mesh.trim == QUILTING and cushions:
             continue  # the print has its lines; these would lie beside them, ragged where cloth folds
         printed = garment.print if color is None and mesh.cloth_at is not None and not own else None
-        if any(one.printed for one in garment.looks) and color_of_panel(garment, mesh.panel) is not None:
+        on_parts = any(one.printed for one in garment.looks)
+        if on_parts and (not mesh.panel or color_of_panel(garment, mesh.panel) is not None):
             printed = None
         surfaces.append(
             Surface(

@@ -115,6 +115,7 @@ def heard_print(text: str, words: WordReading, parts: PrintedParts = ON_ALL) -> 
         angle = {"angle": sizes["angle"]} if "angle" in sizes else {}
         return ClothPrint("motif", tuple(colors[:6]), {"repeat": repeat, **angle}, _STRIPES_OF_ALL)
     if named.kind == "plaid" and _PANES.search(mark.word) and colors:
+        colors = _named_colors(text, words, mark, "dots")  # "green on cream": the ground first
         line = colors[1] if len(colors) > 1 else tartan_inks(colors)[-1]
         return ClothPrint("plaid", (colors[0], colors[0], line), sizes)
     if apart is not None and len(words.colors) == 1 and named.kind in ("dots", "motif"):
