@@ -13,8 +13,10 @@ import swifttailor
 from swifttailor.garment.cloth_print import ClothPrint, cloth_at, flat_places, stated_print, texture
 from swifttailor.garment.garment import Garment
 from swifttailor.garment.glb import glb_bytes
+from swifttailor.garment.hung_prints import HUNG
 from swifttailor.garment.triangle_mesh import mesh_of_garment
 from swifttailor.panel_mesh import mesh_pattern
+from swifttailor.render.color import encode_srgb
 
 STRIPES = ClothPrint("stripes", ("#ff0000", "#ffffff"), {"width": 4.0, "gap": 4.0, "angle": 0.0})
 
@@ -108,3 +110,29 @@ def test_prints_go_on_over_the_middle_of_front_and_back():
             assert np.allclose(there, (0.0, there[0][1]), atol=0.05)
     sleeve = mesh.flat_panel == names.index("left_sleeve_f")
     assert places[sleeve, 0].min() == pytest.approx(-places[sleeve, 0].max())
+
+
+@pytest.mark.parametrize("motif", sorted(HUNG))
+def test_what_fades_goes_once_over_all_panels_as_they_are_worn(motif):
+    mesh = mesh_pattern(swifttailor.draft("shift-dress"), 4.0)
+    panels = mesh.pattern.panels
+    world = np.zeros((mesh.vertex_count, 3))
+    for k, panel in enumerate(panels):
+        own = mesh.flat_panel == k
+        world[mesh.weld[own]] = panel.to_world(mesh.flat_vertices[own])
+    fading = ClothPrint("motif", ("#000000", "#808080", "#ffffff"), {"repeat": 100.0}, motif)
+    garment = Garment(mesh, world, print=fading)
+    height = world[mesh.weld, 1]
+    places = flat_places(garment)
+    assert np.allclose(places[:, 1] / 50.0, (height - height.min()) / np.ptp(height))
+    shown = fading.drawn(grain=0.0).colors(places)[:, 0]
+    assert shown[height.argmin()] > 0.9 and shown[height.argmax()] < 0.05, "the last colour below"
+    assert not np.allclose(places, flat_places(garment, as_worn=False))
+    # The picture of a panel shows the same as its vertices, but for seams that are bent in space.
+    side = 512
+    picture = texture(garment, side).astype(float)
+    row, column = (
+        np.clip((at * side).astype(int), 0, side - 1) for at in (1 - garment.uv[:, 1], garment.uv[:, 0])
+    )
+    away = np.abs(picture[row, column, 0] / 255.0 - encode_srgb(fading.drawn().colors(places))[:, 0] / 255.0)
+    assert np.median(away) < 0.05

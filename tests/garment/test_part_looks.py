@@ -11,6 +11,7 @@ from sewn_tube import tube_garment
 
 import swifttailor
 from swifttailor.body import Body
+from swifttailor.garment.cloth_print import ClothPrint
 from swifttailor.garment.cloth_surfaces import cloth_surfaces
 from swifttailor.garment.formats import read_garment_mesh
 from swifttailor.garment.garment import Garment
@@ -25,11 +26,13 @@ from swifttailor.garment.part_looks import (
     looks_of_panels,
     merged,
     panels_of,
+    plain_but_for,
     stated_looks,
 )
-from swifttailor.garment.preview import draw_preview
+from swifttailor.garment.preview import draw_preview, trim_surfaces
 from swifttailor.garment.triangle_mesh import mesh_of_garment
 from swifttailor.garment.trim_colors import trim_color
+from swifttailor.panel_mesh import mesh_pattern
 from swifttailor.pattern.drafts import draft
 from swifttailor.render.color import encode_srgb, to_linear
 
@@ -248,3 +251,30 @@ def test_legs_and_halves_are_told_by_the_sides_of_their_panels():
     trousers = swifttailor.draft("trousers")
     assert set(panels_of(trousers, "left_leg")) == {"pant_f_l", "pant_b_l"}
     assert set(panels_of(trousers, "right_half")) == {"pant_f_r", "pant_b_r"}
+
+
+def test_a_print_may_be_on_one_part_alone(skirt):
+    stripes = ClothPrint("stripes", ("#ff0000", "#00ff00"), {"width": 2.0, "gap": 2.0})
+    looks = plain_but_for([PartLook("skirt", printed=True)], "#808080")
+    garment = replace(skirt, print=stripes, looks=looks)
+    assert [look.color for look in looks_of_panels(garment)] == [None, "#808080"]
+    assert {(seen.surface.print is None) for seen in cloth_surfaces(garment)} == {True, False}
+    assert stated_looks({LOOKS: [look.to_json() for look in looks]}) == looks
+    sheer = merged(looks, [PartLook("skirt", None, "sheer")])
+    seen = looks_of_panels(replace(garment, looks=sheer))[0]
+    assert seen.color is None and seen.is_sheer
+    red = merged(looks, [PartLook("skirt", "#ff0000")])
+    assert looks_of_panels(replace(garment, looks=red))[0].color == "#ff0000"
+
+
+def test_bands_around_a_garment_whose_sleeves_alone_are_printed_are_plain():
+    pattern = draft("t-shirt", sleeve_length=20.0)
+    mesh = mesh_pattern(replace(pattern, trims=("bands",)), 6.0)
+    world = np.zeros((mesh.vertex_count, 3))
+    for k, panel in enumerate(pattern.panels):
+        own = mesh.flat_panel == k
+        world[mesh.weld[own]] = panel.to_world(mesh.flat_vertices[own])
+    looks = plain_but_for([PartLook("sleeves", printed=True)], "#808080")
+    dots = ClothPrint("dots", ("#ff0000", "#00ff00"))
+    garment = Garment(mesh, world, color="#808080", print=dots, looks=looks)
+    assert all(surface.print is None for surface in trim_surfaces(garment))

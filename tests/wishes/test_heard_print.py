@@ -144,7 +144,7 @@ def test_figured_prints_are_of_their_kind_on_their_ground(text, motif, first):
         ("wool trousers, brown check", "plaid", ("#6b4423", "#4b3220", "#977b62")),
         ("blue checked blouse", "checks", ("#365c96", "#f4f1e8")),
         ("kilt in green tartan", "plaid", ("#40724f", "#2e4a49", "#c7d1c2")),
-        ("tartan kilt", "plaid", ("#a3262e", "#20402f", "#e2c860")),
+        ("tartan kilt", "plaid", ("#b0242d", "#1e3a36", "#eadfc6")),
     ],
 )
 def test_checks_have_the_colours_that_are_named(text, kind, colors):
@@ -222,3 +222,38 @@ def test_cushions_are_of_the_hue_of_their_cloth(color):
     hues = [(max(rgb) - min(rgb)) / max(rgb) for rgb in parts]
     assert cloth.ground == color and max(parts[0]) < max(parts[1]) <= max(parts[2])
     assert max(hues) - min(hues) < 0.08, "no greyer"
+
+
+@pytest.mark.parametrize(
+    ("text", "motif", "colors"),
+    [
+        ("red white and blue striped dress", "rainbow", ("#ab252e", "#ffffff", "#365c96")),
+        ("colour block dress red, white and blue", "blocks", ("#ab252e", "#ffffff", "#365c96")),
+        ("ombre dress from pink to orange", "ombre", ("#f2a9bb", "#e69680", "#d98244")),
+        ("blue ombre dress", "ombre", ("#e7ebf2", "#8ea4c4", "#365c96")),
+        ("ombre dress, white", "ombre", ("#ffffff", "#8f94a2", "#1f2a44")),
+        ("black and white zigzag dress", "zigzag", ("#000000", "#ffffff")),
+        ("brown herringbone tweed trousers", "herringbone", ("#6b4423", "#452f1f")),
+        ("pink camo leggings", "camouflage", ("#f2a9bb", "#9a6e7b", "#f3d1d4", "#4e3a42")),
+        ("purple galaxy hoodie", "galaxy", ("#12142e", "#432f5d", "#63417d", "#8e769d", "#ffffff")),
+        ("white dress with rabbits", "rabbits", ("#ffffff", "#b1afad", "#e6a8ae", "#4a3d3a")),
+    ],
+)
+def test_fading_colours_and_bands_of_several(text, motif, colors):
+    found = asked(text)
+    assert found is not None and (found.motif, found.colors) == (motif, colors)
+
+
+@pytest.mark.parametrize(
+    ("text", "colors"),
+    [
+        ("windowpane skirt", ("#efeadf", "#efeadf", "#3a4f70")),
+        ("grey windowpane blazer", ("#808080", "#808080", "#d7d5ce")),
+        ("beige windowpane check coat, blue", ("#d9c8a9", "#d9c8a9", "#365c96")),
+        ("tattersall shirt, black on white", ("#ffffff", "#ffffff", "#000000")),
+        ("Prince of Wales check trousers", ("#b3b1ab", "#74757a", "#4a6a8f")),
+    ],
+)
+def test_some_checks_are_lines_or_greys(text, colors):
+    found = asked(text)
+    assert found is not None and (found.kind, found.colors) == ("plaid", colors)

@@ -32,6 +32,8 @@ def test_they_are_cut_from_more_than_a_circle(text: str) -> None:
         "gown with huge sleeves and a skirt",
         "a dress, no poofy skirt please",
         "tight on top, not like a ball gown",
+        "dress with a skirt, big hearts on it",
+        "big cats skirt",
     ],
 )
 def test_others_stay(text: str) -> None:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from swifttailor.arrays import Array
+from swifttailor.garment.hung_prints import height_planes, is_hung, worn_heights
 from swifttailor.panel_mesh.cloth_places import shifts_across
 
 if TYPE_CHECKING:
@@ -56,6 +57,9 @@ MOTIFS = (
     *("palms", "paisley", "lozenges", "argyle", "patchwork", "serape", "medallions", "waves", "triangles"),
     *NAPS,
     "sprigs",
+    *("penguins", "pandas", "sharks", "whales", "unicorns", "parrots", "tigers", "rockets", "cacti"),
+    *("daisies", "sunflowers"),
+    *("galaxy", "camouflage", "zigzag", "herringbone", "rainbow", "ombre", "blocks", "aztec", "wax_print"),
 )
 TEXTURE_SIDE = 2048
 """Pixels: a millimetre or two of cloth each."""
@@ -156,20 +160,26 @@ def _is_size(name: object, value: object) -> bool:
     return -360.0 <= value <= 360.0 if name == "angle" else _SMALLEST_CM <= value <= _LARGEST_CM
 
 
-def cloth_at(garment: Garment) -> Array:
+def cloth_at(garment: Garment, *, as_worn: bool = True) -> Array:
     """(f, 3, 2) where on the cloth the corners of the faces lie, cm, seen from its right side.
 
     Every panel is cut from the same height of the print: stripes meet at seams between halves. Its middle
     lies at the middle of the print (`panel_mesh.cloth_places`).
+
+    Args:
+        garment: Any.
+        as_worn: Whether a print of its own that is hung lies as it is worn (`hung_prints`).
     """
-    return flat_places(garment)[garment.mesh.flat_faces]
+    return flat_places(garment, as_worn=as_worn)[garment.mesh.flat_faces]
 
 
-def flat_places(garment: Garment) -> Array:
+def flat_places(garment: Garment, *, as_worn: bool = True) -> Array:
     """(m, 2) where on the cloth the flat vertices lie, cm; see `cloth_at`."""
     low, _ = _boxes(garment)
     places: Array = (garment.uv - low[garment.mesh.flat_panel]) * garment.uv_scale
     places[:, 0] += shifts_across(garment.mesh, places)[garment.mesh.flat_panel]
+    if as_worn and is_hung(garment):
+        places[:, 1] = worn_heights(garment)
     return places
 
 
@@ -186,11 +196,11 @@ def texture(garment: Garment, side: int = TEXTURE_SIDE) -> Array:
     from swifttailor.render.color import encode_srgb
 
     assert garment.print is not None
-    places = texture_places(garment, side)
+    places = texture_places(garment, side, as_worn=True)
     return encode_srgb(garment.print.drawn().colors(places).reshape(side, side, 3))
 
 
-def texture_places(garment: Garment, side: int) -> Array:
+def texture_places(garment: Garment, side: int, *, as_worn: bool = False) -> Array:
     """(side², 2) where on the cloth the pixels of a texture lie, cm; row by row from the top."""
     from swifttailor.panel_mesh.uv_layout import GUTTER
 
@@ -199,10 +209,19 @@ def texture_places(garment: Garment, side: int) -> Array:
     boxes = _boxes(garment)
     own = (garment.uv - boxes[0][garment.mesh.flat_panel]) * garment.uv_scale
     shifts = shifts_across(garment.mesh, own) / garment.uv_scale
-    for low, high, shift in zip(*boxes, shifts, strict=True):
+    planes, top = None, 0.0
+    if as_worn and is_hung(garment):
+        planes = height_planes(garment) / garment.uv_scale
+        top = worn_heights(garment).max() / garment.uv_scale
+    for k, (low, high, shift) in enumerate(zip(*boxes, shifts, strict=True)):
         left, right = np.searchsorted(across, [low[0] - GUTTER / 2, high[0] + GUTTER / 2])
         lower, upper = np.searchsorted(across, [low[1] - GUTTER / 2, high[1] + GUTTER / 2])
-        points[side - upper : side - lower, left:right] -= low - (shift, 0.0)
+        block = points[side - upper : side - lower, left:right]
+        heights = None if planes is None else block @ planes[k, :2] + planes[k, 2]
+        block -= low - (shift, 0.0)
+        if heights is not None:
+            # Beyond its ends it would begin anew.
+            block[..., 1] = np.clip(heights, 0.0, top)
     return (points * garment.uv_scale).reshape(-1, 2)
 
 

@@ -123,7 +123,8 @@ def cloth_surfaces(garment: Garment, color: Color | None = None) -> list[SeenClo
         if lace and opacity < 1.0:
             from swifttailor.garment.lace import lace_opacity
 
-            found.append(SeenCloth(surface, opacity, lace_opacity(opacity), cloth_at(garment)[shown]))
+            places = cloth_at(garment, as_worn=False)[shown]
+            found.append(SeenCloth(surface, opacity, lace_opacity(opacity), places))
         else:
             found += _both_sides(SeenCloth(surface, opacity), printed)
     return found
@@ -209,7 +210,7 @@ def _surface(
     shown: Array | None,
 ) -> Surface:
     """The surface of some faces (m, 3); `shown` (f,) tells them among the garment's, None: all of them."""
-    at = None if printed is None else cloth_at(garment)
+    at = None if printed is None else cloth_at(garment, as_worn=printed is garment.print)
     metal = printed is None and garment.color in _METALS and garment.cloth not in _MATT
     return Surface(
         garment.vertices,

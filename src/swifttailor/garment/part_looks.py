@@ -121,6 +121,8 @@ class PartLook:
     """A key of `OPACITIES`."""
     opacity: float | None = None
     """Share of what lies beneath that it hides, where that is not usual of `cloth`: 1.0 of lined cloth."""
+    printed: bool | None = None
+    """Whether it has the garment's print where the rest has a colour of its own instead."""
 
     def to_json(self) -> dict[str, Any]:
         """As plain JSON values."""
@@ -195,11 +197,25 @@ def merged(before: Iterable[PartLook], new: Iterable[PartLook]) -> tuple[PartLoo
     found: dict[str, PartLook] = {}
     for look in (*before, *new):
         if look.part == "all" and look.cloth is not None:
-            plain = [PartLook(one.part, one.color) for one in found.values()]
-            found = {one.part: one for one in plain if one.color is not None}
+            plain = [PartLook(one.part, one.color, printed=one.printed) for one in found.values()]
+            found = {one.part: one for one in plain if one.color is not None or one.printed}
         old = found.get(look.part, PartLook(look.part))
-        found[look.part] = replace(_cloth_of(old, look), color=look.color or old.color)
+        printed = look.printed or (old.printed if look.color is None else None)
+        found[look.part] = replace(_cloth_of(old, look), color=look.color or old.color, printed=printed)
     return tuple([one for one in found.values() if (one.part, one.color, one.cloth) != _PLAIN])
+
+
+def plain_but_for(looks: Iterable[PartLook], color: str) -> tuple[PartLook, ...]:
+    """The looks, and the rest of the garment in one colour where some of its parts alone are printed.
+
+    Args:
+        looks: Of parts.
+        color: Of the garment, ``#rrggbb``.
+    """
+    looks = tuple(looks)
+    if not any(look.printed for look in looks):
+        return looks
+    return merged([PartLook("all", color)], looks)
 
 
 def stated_looks(report: Mapping[str, Any]) -> tuple[PartLook, ...]:
@@ -217,7 +233,7 @@ def _part(panel: Panel) -> Part:
 
 
 def _over(before: PanelLook, look: PartLook) -> PanelLook:
-    color = look.color or before.color
+    color = None if look.printed else look.color or before.color
     if look.cloth is None:
         return replace(before, color=color)
     opacity = OPACITIES[look.cloth] if look.opacity is None else look.opacity
@@ -247,4 +263,5 @@ def _look_of(entry: object) -> PartLook | None:
     is_share = isinstance(opacity, int | float) and not isinstance(opacity, bool) and 0.0 <= opacity <= 1.0
     if opacity is not None and not is_share:
         return None
-    return PartLook(entry["part"], color, cloth, None if opacity is None else float(opacity))
+    printed = True if entry.get("printed") is True else None
+    return PartLook(entry["part"], color, cloth, None if opacity is None else float(opacity), printed)

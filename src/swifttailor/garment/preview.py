@@ -12,6 +12,7 @@ from swifttailor.body.mannequin import mannequin
 from swifttailor.compiled_loop import CompiledLoop
 from swifttailor.garment.cloth_print import CUSHIONS
 from swifttailor.garment.cloth_surfaces import ON_DARK, cloth_surfaces
+from swifttailor.garment.part_looks import color_of_panel
 from swifttailor.garment.sheer_figure import SheerFigure
 from swifttailor.garment.trim_colors import is_dark, trim_color
 from swifttailor.pattern.trims.quilting import QUILTING
@@ -53,6 +54,9 @@ def trim_surfaces(garment: Garment, color: Color | None = None) -> list[Surface]
         if mesh.trim == QUILTING and cushions:
             continue  # the print has its lines; these would lie beside them, ragged where cloth folds
         printed = garment.print if color is None and mesh.cloth_at is not None and not own else None
+        on_parts = any(one.printed for one in garment.looks)
+        if on_parts and (not mesh.panel or color_of_panel(garment, mesh.panel) is not None):
+            printed = None
         surfaces.append(
             Surface(
                 mesh.vertices,

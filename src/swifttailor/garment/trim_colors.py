@@ -75,7 +75,8 @@ def trim_color(
         panel: Which it lies on: cloth is of that panel's colour.
     """
     ground = garment.color or cloth_color(garment.pattern) if color is None else color
-    if color is None and garment.print is not None:
+    on_parts = any(one.printed for one in garment.looks)
+    if color is None and garment.print is not None and not on_parts:
         ground = garment.print.ground
     if color is None and garment.looks:
         own = _own_color(garment, look, trim)

@@ -73,6 +73,27 @@ def clouds() -> Array:
     return RAMP * np.clip(1.5 + 1.05 * field, 0.0, 3.0)
 
 
+def galaxy() -> Array:
+    """Clouds of all colours but the last, which stars have."""
+    chance = np.random.default_rng(27)
+    picture = RAMP * np.clip(1.2 + 1.0 * even_noise(chance, 2.6, spread=0.8), 0.0, 3.0)
+    for x, y in chance.random((110, 2)):
+        size = 0.003 + 0.008 * chance.random() ** 3
+        stamped(picture, (x, y), 0.013, lambda x, y, size=size: (np.hypot(x, y) < size, 4.0 * RAMP + 0 * x))
+    return picture
+
+
+def camouflage() -> Array:
+    """Patches of four colours, each over those before, of many sizes and with rough edges."""
+    chance = np.random.default_rng(28)
+    picture: Array = np.zeros((NAMED_SIDE, NAMED_SIDE))
+    for ink, share in ((1, 0.25), (2, 0.6), (3, 0.95)):
+        field = even_noise(chance, 3.6, stretch=0.7, spread=0.5)
+        field += 0.25 * smooth_noise(chance, NAMED_SIDE, 1.3)
+        picture[field > share] = RAMP * ink
+    return picture
+
+
 def splashes_of_bleach() -> Array:
     """Blots of the second colour with soft edges: acid washed, bleached."""
     chance = np.random.default_rng(25)
@@ -96,4 +117,6 @@ DRAWN: Mapping[str, Callable[[], Array]] = {
     "clouds": clouds,
     "bleach": splashes_of_bleach,
     "ikat": ikat,
+    "galaxy": galaxy,
+    "camouflage": camouflage,
 }

@@ -10,12 +10,12 @@ from collections.abc import Mapping
 import numpy as np
 
 from swifttailor.arrays import Array
-from swifttailor.render import drawn_animals
+from swifttailor.render import drawn_animals, drawn_beasts
 from swifttailor.render.figure_shapes import Shape, in_pairs, line, oval, polygon, star
 
 _RADIUS = 0.225
 """Half the side of a figure's square, as a part of its repeat: two stand across, every second row shifted."""
-_SPLASHES = 46
+_SPLASHES = 110
 
 
 def figure_picture(name: str, side: int) -> Array:
@@ -47,10 +47,10 @@ def _splatters(side: int) -> Array:
     for k in range(_SPLASHES):
         cx, cy = chance.random(2)
         dx, dy = (x - cx + 0.5) % 1.0 - 0.5, (y - cy + 0.5) % 1.0 - 0.5
-        size = 0.012 + 0.06 * chance.random() ** 3
-        lobes, phase = int(chance.integers(3, 7)), chance.uniform(0.0, 7.0)
+        size = 0.006 + 0.06 * chance.random() ** 4
+        lobes, phase = int(chance.integers(5, 10)), chance.uniform(0.0, 7.0)
         turn = np.arctan2(dy, dx)
-        rough = 1.0 + 0.2 * np.cos(lobes * turn + phase) + 0.12 * np.cos((lobes + 3) * turn + 2.0 * phase)
+        rough = 1.0 + 0.16 * np.cos(lobes * turn + phase) + 0.14 * np.cos((lobes + 4) * turn + 2.0 * phase)
         picture[np.hypot(dx, dy) < size * rough] = 1 + k % 3
     return picture
 
@@ -183,6 +183,7 @@ _DRAWN: Mapping[str, list[tuple[int, Shape]]] = {
         (3, polygon((-0.1, 0.65), (-0.1, -0.25), (-0.6, -0.25))),
     ],
     **drawn_animals.DRAWN,
+    **drawn_beasts.DRAWN,
 }
 FIGURES = (*_DRAWN, "splatters")
 """Names, in the order in which they lie in the bank of patterns."""

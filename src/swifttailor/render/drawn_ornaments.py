@@ -164,6 +164,37 @@ def triangles() -> Array:
     return RAMP * ink
 
 
+def aztec() -> Array:
+    """Rows of stepped lozenges between bands of points and stripes."""
+    x, y = cells()
+    u, v = np.abs((4 * x) % 1.0 - 0.5), (2 * y) % 1.0
+    step = np.floor(np.abs(v - 0.35) * 20) / 20 * 1.7 + np.floor(u * 10) / 10
+    row = np.select([step < 0.12, step < 0.26, step < 0.4], [2.0, 0.0, 1.0], 0.0)
+    points = np.abs((12 * x) % 1.0 - 0.5) * 0.16 + 0.8
+    band = np.select([v < 0.76, v < 0.78, v < points, v < 0.9, v < 0.96], [0.0, 3.0, 1.0, 0.0, 2.0], 3.0)
+    return RAMP * np.where(v < 0.72, row, band)
+
+
+def wax_print() -> Array:
+    """Large rounds of rings and rays, with dots between them."""
+    x, y = cells()
+    picture: Array = RAMP * 2.0 * (np.hypot((16 * x) % 1.0 - 0.5, (16 * y) % 1.0 - 0.5) < 0.2)
+
+    def round_(u: Array, v: Array):
+        away, turn = np.hypot(u, v) / 0.22, np.arctan2(v, u)
+        rays = np.cos(16 * turn) > 0.0
+        ink = np.select(
+            [away < 0.2, away < 0.32, away < 0.42, away < 0.74, away < 0.84],
+            [1.0, 3.0, 2.0, np.where(rays, 1.0, 3.0), 2.0],
+            1.0,
+        )
+        return away < 0.94 + 0.05 * np.cos(24 * turn), RAMP * ink
+
+    for place in scattered(np.random.default_rng(0), 2, 0.0):
+        stamped(picture, (place[0], place[1]), 0.24, round_)
+    return picture
+
+
 DRAWN: Mapping[str, Callable[[], Array]] = {
     "palms": palms,
     "paisley": paisley,
@@ -174,4 +205,6 @@ DRAWN: Mapping[str, Callable[[], Array]] = {
     "medallions": medallions,
     "waves": waves,
     "triangles": triangles,
+    "aztec": aztec,
+    "wax_print": wax_print,
 }

@@ -109,7 +109,10 @@ def scales() -> Array:
     # Each scale has one shade, that of its middle.
     middle_x = (np.floor(across) + np.floor(up) + 1.0) / 48
     middle_y = (np.floor(across) - np.floor(up)) / 32
-    large = np.abs((3 * middle_x) % 1.0 - 0.5) + np.abs((2 * middle_y) % 1.0 - 0.5)
+    rough = even_noise(np.random.default_rng(12), 7.0)
+    near = tuple([(at * NAMED_SIDE).astype(np.int64) % NAMED_SIDE for at in (middle_y, middle_x)])
+    # Rough edges, or the large ones would be those of a jumper.
+    large = np.abs((3 * middle_x) % 1.0 - 0.5) + np.abs((2 * middle_y) % 1.0 - 0.5) + 0.17 * rough[near]
     shade = np.select([large < 0.2, large < 0.42, large < 0.6], [1.6, 2.0, 0.8], 0.0)
     edge = np.maximum(np.abs(across % 1.0 - 0.5), np.abs(up % 1.0 - 0.5)) > 0.41
     return RAMP * np.where(edge, 2.0 - 0.5 * (shade > 1.8), shade)

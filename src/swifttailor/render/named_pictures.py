@@ -7,7 +7,14 @@ from functools import lru_cache
 import numpy as np
 
 from swifttailor.arrays import Array
-from swifttailor.render import drawn_dyes, drawn_naps, drawn_ornaments, drawn_skins, drawn_sprigs
+from swifttailor.render import (
+    drawn_dyes,
+    drawn_naps,
+    drawn_ornaments,
+    drawn_skins,
+    drawn_sprigs,
+    drawn_weaves,
+)
 from swifttailor.render.drawn_figures import FIGURES, figure_picture
 from swifttailor.render.motifs import BANDS
 from swifttailor.render.ramps import NAMED_SIDE, RAMP
@@ -18,6 +25,7 @@ _FIELDS = {
     **drawn_ornaments.DRAWN,
     **drawn_naps.DRAWN,
     **drawn_sprigs.DRAWN,
+    **drawn_weaves.DRAWN,
 }
 NAMED = (*FIGURES, *_FIELDS)
 """All names; their numbers as motifs follow `motifs.BANDS`."""

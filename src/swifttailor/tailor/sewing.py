@@ -15,7 +15,7 @@ from swifttailor.clock import DIGITS
 from swifttailor.errors import SwiftTailorError
 from swifttailor.garment.cloth_color import cloth_color
 from swifttailor.garment.garment import Garment
-from swifttailor.garment.part_looks import has_part
+from swifttailor.garment.part_looks import has_part, plain_but_for
 from swifttailor.garment_sewer.relaxing import relaxed
 from swifttailor.garment_sewer.sewer import BATCH, Prepared
 from swifttailor.pattern import Pattern, Reading, check_pattern, read_pattern_file, repair_pattern
@@ -322,6 +322,7 @@ def _handed_over(garment: Garment, answer: Answer, predicted: Any, body: Body | 
         elif wanted.heard.nap is not None:
             woven = napped(color, wanted.heard.nap)
         looks = tuple([look for look in wanted.looks if has_part(garment.pattern, look.part)])
+        looks = plain_but_for(looks, color)
         garment = replace(garment, color=wanted.color, print=wanted.print or woven, looks=looks)
         if garment.cloth == "silk" and wanted.heard.words is not None and is_satin(wanted.heard.words):
             garment = replace(garment, cloth=SATIN)

@@ -18,6 +18,7 @@ from swifttailor.wishes.looks.flecks import is_flecked
 from swifttailor.wishes.looks.heard_looks import NO_LOOKS, HeardLooks, heard_looks
 from swifttailor.wishes.looks.heard_print import asks_for_plain, heard_print
 from swifttailor.wishes.looks.naps import nap_of
+from swifttailor.wishes.looks.printed_parts import ON_ALL, PrintedParts, printed_parts
 from swifttailor.wishes.looks.ribs import ribs
 from swifttailor.wishes.reader import Wish
 from swifttailor.wishes.text.lexicon_spelling import near_names
@@ -100,9 +101,15 @@ class Heard:
         return any(np.linalg.norm(lab_of_hex(color) - lab_of_hex(one)) < _NEAR for one in self._denied_colors)
 
     @cached_property
+    def printed_parts(self) -> PrintedParts:
+        """The parts that its print is on, where it is not on the whole."""
+        return ON_ALL if self.words is None else printed_parts(self.rest or self.text, self.words)
+
+    @cached_property
     def print(self) -> ClothPrint | None:
         """The print that it asks for."""
-        return None if self.words is None else heard_print(self.rest or self.text, self.words)
+        parts = self.printed_parts
+        return None if self.words is None else heard_print(self.rest or self.text, self.words, parts)
 
     @property
     def ribs(self) -> tuple[float, float] | None:
@@ -144,9 +151,10 @@ class Heard:
         """
         words = self.words if words is None else words
         said = () if words is None else [look for look in words.looks if look.said or implied]
-        if not said:
+        parts = self.printed_parts
+        if not said and not parts:
             return self
-        return replace(self, looks=heard_looks(said, self.kind, self.color, self.print))
+        return replace(self, looks=heard_looks(said, self.kind, self.color, self.print, parts))
 
     def made_as(self, draft: NamedDraft) -> Heard:
         """The same, where the garment begins from a draft: what that shows is no longer lacking.

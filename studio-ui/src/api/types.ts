@@ -219,6 +219,8 @@ export interface PartLook {
   color?: string | null;
   cloth?: string | null;
   opacity?: number | null;
+  /** Whether it has the print, where the rest of the garment has a colour instead. */
+  printed?: boolean | null;
 }
 
 /** How a panel looks. */

@@ -65,6 +65,7 @@ class PartLook(Model):
     color: Color | None = None
     cloth: Annotated[str, StringConstraints(pattern="^[a-z]{2,20}$")] | None = None
     opacity: Annotated[float, Field(ge=0.0, le=1.0)] | None = None
+    printed: bool | None = None
 
 
 PartLooks = Annotated[list[PartLook], Field(max_length=64)]
@@ -140,6 +141,26 @@ PrintMotif = Literal[
     "channels",
     "fur",
     "sprigs",
+    "penguins",
+    "pandas",
+    "sharks",
+    "whales",
+    "unicorns",
+    "parrots",
+    "tigers",
+    "rockets",
+    "cacti",
+    "daisies",
+    "sunflowers",
+    "galaxy",
+    "camouflage",
+    "zigzag",
+    "herringbone",
+    "rainbow",
+    "ombre",
+    "blocks",
+    "aztec",
+    "wax_print",
 ]
 PrintSize = Literal["width", "gap", "spacing", "radius", "repeat", "angle"]
 PrintColors = Annotated[list[Color], Field(min_length=2, max_length=6)]

@@ -195,7 +195,7 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
         never,
         [m.mention.end for m in measures],
         compared=hem is not None or bool(bounds),
-        told=[*sides.spans, *spans_of_looks(words)],
+        told=[*sides.spans, *spans_of_looks(text, words)],
     )
     return Heard(text, sure, likely, never, (*unread, *silent), lacks_of(words, changes, measures), words)
 

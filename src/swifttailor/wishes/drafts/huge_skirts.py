@@ -10,6 +10,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from swifttailor.pattern.drafts.draft_names import NamedDraft
+from swifttailor.wording.lexicon import read_words
 
 _HUGE = (
     r"(?:huge|enormous|massive|giant|gigantic|ginormous|humongous|poof(?:y|ie)|pouff?y|puffy|voluminous|immense"
@@ -26,6 +27,7 @@ _SAID = re.compile(
     re.IGNORECASE,
 )
 _DENIED = re.compile(r"(?<!\w)(?:no|not|nothing|without|never|isn't|n't)(?: \w+){0,3} $", re.IGNORECASE)
+_SIZE_BEFORE = re.compile(rf"(?<!\w){_HUGE}\s+$", re.IGNORECASE)
 _FULLEST = 1.5
 _ROUND: Mapping[str, str] = {
     "circle-skirt": "fraction",
@@ -48,6 +50,9 @@ def huge_as_said(draft: NamedDraft, text: str) -> NamedDraft:
         draft: As it goes with all else that is asked for.
         text: The words.
     """
+    if _SAID.search(text) is None:
+        return draft
+    text = _without_prints(text)
     if not any(not _DENIED.search(text[: found.start()]) for found in _SAID.finditer(text)):
         return draft
     options = dict(draft.options)
@@ -60,3 +65,13 @@ def huge_as_said(draft: NamedDraft, text: str) -> NamedDraft:
     if draft.name == "strappy-dress":
         options |= {**_HELD_CLOSE, "strap_width": max(float(options.get("strap_width", 0.0)), _STRONG_CM)}
     return replace(draft, options=tuple({**options, _ROUND[draft.name]: _FULLEST}.items()))
+
+
+def _without_prints(text: str) -> str:
+    """The text, where figures of a print are large, and not the skirt: "a skirt with big flowers"."""
+    for mark in read_words(text).marks:
+        if any(entry.category == "prints" for entry in mark.entries):
+            size = _SIZE_BEFORE.search(text[: mark.start])
+            start = mark.start if size is None else size.start()
+            text = f"{text[:start]}{' ' * (mark.end - start)}{text[mark.end :]}"
+    return text

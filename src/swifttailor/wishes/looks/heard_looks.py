@@ -8,6 +8,7 @@ from types import MappingProxyType
 
 from swifttailor.garment.cloth_print import ClothPrint
 from swifttailor.garment.part_looks import OPACITIES, PARTS, SEVERAL_LAYERS, PartLook, merged
+from swifttailor.wishes.looks.printed_parts import ON_ALL, PrintedParts
 from swifttailor.wording.lexicon import NamedColor, SaidLook
 
 _LINED = frozenset({"lace", "tulle", "chiffon", "organza"})
@@ -52,7 +53,11 @@ NO_LOOKS = HeardLooks()
 
 
 def heard_looks(
-    told: Sequence[SaidLook], kind: str | None, color: str | None, printed: ClothPrint | None
+    told: Sequence[SaidLook],
+    kind: str | None,
+    color: str | None,
+    printed: ClothPrint | None,
+    printed_parts: PrintedParts = ON_ALL,
 ) -> HeardLooks:
     """The looks that a text asks for.
 
@@ -61,6 +66,7 @@ def heard_looks(
         kind: Of the garment; None where it is not known.
         color: Of the garment, ``#rrggbb``; None where nothing tells it.
         printed: On its cloth.
+        printed_parts: What alone it is on, where that is not all of it.
     """
     found: list[PartLook] = []
     refused: list[str] = []
@@ -90,6 +96,12 @@ def heard_looks(
         else:
             found, lining = _of_part(found, look, general)
             assumed += lining
+    for part in printed_parts.parts:
+        # The colour that is said of them is one of the print's.
+        found = [replace(look, color=None) if look.part == part else look for look in found]
+        found = _with(found, PartLook(part, printed=True))
+    refused += [f"another print of the {noun}" for noun in printed_parts.unmade]
+    spoken = spoken | frozenset(printed_parts.parts)
     names = {f"#{look.color.rgb}": look.color.words.lower() for look in said if look.color is not None}
     return HeardLooks(
         tuple(found),
@@ -116,6 +128,8 @@ def look_line(look: PartLook, names: Mapping[str, str] = MappingProxyType({})) -
     color = "" if look.color is None else f" in {look.color}"
     if look.color is not None and look.color in names:
         color = f" in {names[look.color]} ({look.color})"
+    if look.printed:
+        return f"{part} in the print" + ("" if look.cloth is None else f", {look.cloth}")
     if look.cloth is None:
         return f"{part}{color}"
     if look.cloth == "opaque":

@@ -14,13 +14,16 @@ from swifttailor.wishes.looks.print_inks import (
     contrast,
     mixed,
     motif_inks,
+    seen_on,
     tartan_inks,
     tonal_check,
     usual_inks,
 )
+from swifttailor.wishes.looks.printed_parts import ON_ALL, PrintedParts
 from swifttailor.wishes.text.mentions import find_mentions
 from swifttailor.wording.lexicon import WordMark, WordReading, read_words
 from swifttailor.wording.lexicon.entries import NamedPrint
+from swifttailor.wording.lexicon.said_blocks import blocks_named
 
 _ON = re.compile(r"(?<!\w)(?:on|against|auf|sur|sobre|su|op|em)(?:\s+(?:a|an|the))?\s*$", re.IGNORECASE)
 _WITH = re.compile(r"(?<!\w)(?:with|mit|avec|à|con|in|met|com)\s*$", re.IGNORECASE)
@@ -69,20 +72,30 @@ _JOINED = re.compile(r"(?:\s|,|&|(?<!\w)and(?!\w))+$", re.IGNORECASE)
 _PERSONS = "persons.txt"
 _BEHIND = 24
 """Characters behind the name of a print in which its size may stand."""
+_STRIPES_OF_ALL = "rainbow"
+"""The motif of stripes in more than two colours, six of them in a repeat."""
+_PANES = re.compile(r"window|pane|tattersall|grid|graph|overcheck", re.IGNORECASE)
+"""Checks that are nothing but thin lines."""
+_BLOCKS, _HUNG_CM = 3, 180.0
+_NEAR = 2
+"""Characters between a colour and the print that it is of."""
 _VAGUE = frozenset("print prints printed patterned patterning mixed".split()) | {"a print", "all over print"}
 _SIZE = {"stripes": ("width", "gap"), "checks": ("width",), "plaid": ("spacing",), "motif": ("repeat",)}
 
 
-def heard_print(text: str, words: WordReading) -> ClothPrint | None:
+def heard_print(text: str, words: WordReading, parts: PrintedParts = ON_ALL) -> ClothPrint | None:
     """The print that a text asks for; None where it asks for none, or for plain cloth.
 
     Args:
         text: That the lexicon has read.
         words: By the lexicon.
+        parts: What prints are said of, where that is not the whole: there they keep their own colours.
     """
-    marks = [m for m in words.marks if not m.denied and _kind(m) in KINDS]
+    marks = [m for m in words.marks if not m.denied and _kind(m) in KINDS and m not in parts.unused]
+    if not marks and parts:
+        return None
     if not marks:
-        return _in_color(text, words)
+        return _of_blocks(words) or _in_color(text, words)
     # What is said of the print itself goes before what names of garments mean, "leopard" before "print".
     mark = min(marks, key=_vagueness)
     named = next(entry.print for entry in mark.entries if entry.print is not None)
@@ -95,6 +108,16 @@ def heard_print(text: str, words: WordReading) -> ClothPrint | None:
     if turned is not None and named.kind in ("stripes", "checks", "plaid"):
         sizes["angle"] = turned
     colors = _named_colors(text, words, mark, named.kind)
+    if parts.parts:
+        colors = _of_part(words, mark, colors, named)
+    if named.kind == "stripes" and len(colors) > 2:
+        repeat = 6 * sizes.get("width", ClothPrint("stripes", ()).size("width"))
+        angle = {"angle": sizes["angle"]} if "angle" in sizes else {}
+        return ClothPrint("motif", tuple(colors[:6]), {"repeat": repeat, **angle}, _STRIPES_OF_ALL)
+    if named.kind == "plaid" and _PANES.search(mark.word) and colors:
+        colors = _named_colors(text, words, mark, "dots")  # "green on cream": the ground first
+        line = colors[1] if len(colors) > 1 else tartan_inks(colors)[-1]
+        return ClothPrint("plaid", (colors[0], colors[0], line), sizes)
     if apart is not None and len(words.colors) == 1 and named.kind in ("dots", "motif"):
         colors = [contrast(colors[-1]), colors[-1]]  # "little blue flowers"
     if named.kind == "plaid" and len(colors) == 2 and not _TARTANS.search(mark.word):
@@ -199,6 +222,26 @@ def _vagueness(mark: WordMark) -> int:
     return int(mark.word.lower() in _VAGUE or mark.word.lower().startswith("with "))
 
 
+def _of_blocks(words: WordReading) -> ClothPrint | None:
+    """Three broad bands, where a text names three colours for blocks of colour."""
+    if blocks_named(words.marks) is None or len(words.colors) < _BLOCKS:
+        return None
+    colors = tuple([f"#{color.rgb}" for color in words.colors[:_BLOCKS]])
+    return ClothPrint("motif", colors, {"repeat": _HUNG_CM}, "blocks")
+
+
+def _of_part(words: WordReading, mark: WordMark, colors: list[str], named: NamedPrint) -> list[str]:
+    """The colours of a print on parts: those said beside it; else of figures and checks their own."""
+    beside = [
+        f"#{look.color.rgb}"
+        for look in words.looks
+        if look.color is not None and any(abs(m.end - mark.start) <= _NEAR for m in look.marks)
+    ]
+    if beside:
+        return [*colors[:1], beside[0]] if named.kind in ("stripes", "dots") else beside
+    return colors if named.kind in ("stripes", "dots", "checks") else []
+
+
 def _without(sizes: Mapping[str, float], name: str) -> dict[str, float]:
     return {one: value for one, value in sizes.items() if one != name}
 
@@ -247,7 +290,7 @@ def _colors(kind: str, motif: str | None, named: list[str], inks: tuple[str, ...
         if motif not in FIGURES:
             return motif_inks(motif, named)
         figures = usual[1:] if len(named) == 1 else (named[1], *usual[2:])
-        return (named[0], *figures)
+        return (named[0], *seen_on(named[0], figures))
     if kind == "plaid":
         return tartan_inks(named or [LIGHT, DARK])
     named = named or [LIGHT, DARK]

@@ -20,7 +20,7 @@ FIGURES = {
     "foxes": ("#dfe6e2", "#d0702c", "#f8f2e6", "#33261f"),
     "cats": ("#f1e6dc", "#3a3a42", "#e9d27a", "#d98a94"),
     "bears": ("#dbe6ee", "#9a6b45", "#e6c9a4", "#33261f"),
-    "rabbits": ("#cfdfe6", "#f8f4ee", "#e6a8ae", "#4a3d3a"),
+    "rabbits": ("#a6c3d3", "#faf7f2", "#e6a8ae", "#4a3d3a"),
     "birds": ("#f2eee2", "#3d6f96", "#a9c8d8", "#d38a34"),
     "butterflies": ("#f4f0e8", "#d8763a", "#f0b85a", "#33261f"),
     "bees": ("#eef2ea", "#efc03a", "#c9d8e2", "#2b2622"),
@@ -40,6 +40,17 @@ FIGURES = {
     "skulls": ("#26242a", "#f1ede2"),
     "snowflakes": ("#2a4a78", "#f4f6f8"),
     "crosses": ("#f4f1e8", "#a8323a"),
+    "penguins": ("#dcebf2", "#26303c", "#f8f6f0", "#e2963a"),
+    "pandas": ("#d9e8d8", "#26262a", "#faf8f2", "#6f9a5f"),
+    "sharks": ("#e4f0f3", "#5d7f94", "#f8f6f0", "#2f4a5c"),
+    "whales": ("#eef3f2", "#3d6f96", "#cfe0e8", "#7fb4cc"),
+    "unicorns": ("#f2b3cb", "#ffffff", "#7f68c2", "#f0c23a"),
+    "parrots": ("#eef3e4", "#c9342f", "#2f8a55", "#20242c"),
+    "tigers": ("#e9f1ea", "#e08a2c", "#f8f2e6", "#2b201a"),
+    "rockets": ("#22345c", "#eef1f4", "#d23a3a", "#f0b63f"),
+    "cacti": ("#f6efe2", "#4f8a58", "#f2a0b0", "#c9754a"),
+    "daisies": ("#7fa3c9", "#fdfcf6", "#efbf35", "#4f7f45"),
+    "sunflowers": ("#f4f1e8", "#f2b62c", "#5a3720", "#4f7f45"),
     "palms": ("#f4f1e8", "#2f5f3c", "#6f9a5f", "#a9bf7c"),
 }
 """Pictures that keep their own colours on whatever ground, the first: foxes are red on blue."""
@@ -61,10 +72,10 @@ _OTHERS = {
     "leaves": ("#f4f1e8", "#3f6b46", "#7fa070", "#c2a25c"),
     "spots": ("#cfa56b", "#35261a", "#8a6238", "#5b4127"),
     "blotches": ("#6f7758", "#3c4530", "#a89e76", "#2b2b23"),
-    "plaid": ("#a3262e", "#20402f", "#e2c860"),
+    "plaid": ("#b0242d", "#1e3a36", "#eadfc6"),
     "tie_dye": ("#f6f2ea", "#3f86c4", "#f6f2ea", "#d8598c", "#f6f2ea", "#f0b63f"),
     "batik": ("#2c3f73", "#e8e4d8", "#7d9bc9"),
-    "marble": ("#f1efec", "#d0cccb", "#77736f"),
+    "marble": ("#f4f2ef", "#c6c2c0", "#4a4744"),
     "clouds": ("#f4f1ec", "#a8c6dc", "#e2b6c4", "#c4d6b4"),
     "ikat": ("#f4efe2", "#2c4576", "#a8443c"),
     "paisley": ("#7a2430", "#e0b45c", "#f3e3c0", "#2f5a58"),
@@ -75,9 +86,17 @@ _OTHERS = {
     "medallions": ("#26375f", "#d9b45b", "#f0dc9c"),
     "waves": ("#e8893c", "#f4d9a0", "#8a3b2a", "#d8598c", "#f4f1e8", "#e2b32c"),
     "triangles": ("#f4f1e8", "#1f2a44", "#d8a24a", "#a8443c"),
+    "galaxy": ("#12142e", "#41337c", "#2a6a9a", "#b04f98", "#f6f4ff"),
+    "camouflage": ("#6f7a4e", "#3f4a30", "#a39a6c", "#26261f"),
+    "zigzag": ("#f4f1e8", "#1f2a44"),
+    "herringbone": ("#948c80", "#4f4a44"),
+    "rainbow": ("#d8403a", "#ec8a34", "#f2cf45", "#4f9a55", "#3a6fb8", "#7a4a9a"),
+    "ombre": ("#f3dfe4", "#dd97ae", "#b83f6d"),
+    "aztec": ("#f1e8d8", "#a8443c", "#1f2a44", "#d8a24a"),
+    "wax_print": ("#f2a51d", "#b5281e", "#15603c", "#1b2a63"),
 }
 _INKS = FIGURES | _SKINS | _OTHERS
-_AS_NAMED = frozenset({"lozenges", "waves", "triangles"})
+_AS_NAMED = frozenset({"lozenges", "waves", "triangles", "zigzag", "rainbow"})
 """Of as many colours as are named, and no others."""
 SHADED = {
     "curls": (0.9, 0.08),
@@ -91,6 +110,8 @@ SHADED = {
 """The face of cloth, of one colour: how light its hollows are, and how much of white what stands out has;
 without any it is of the same hue, but brighter."""
 _MORE_LIGHT = 30
+_LEAST_APART = 56
+"""By so much some part of a figure's colour differs from its ground, 0 to 255."""
 
 
 def usual_inks(name: str) -> tuple[str, ...]:
@@ -135,9 +156,19 @@ def motif_inks(name: str, named: Sequence[str]) -> tuple[str, ...]:
         return _tied(named)
     if name in _SKINS:
         return _coat(name, named)
-    if name == "serape" or (name == "patchwork" and len(named) == 1):
+    if name in ("serape", "rainbow") or (name == "patchwork" and len(named) == 1):
         return (*named, *[ink for ink in _INKS[name] if ink not in named])[:6]
+    if name == "ombre":
+        return _faded(named)
+    if name == "herringbone" and len(named) == 1:
+        return first, mixed(LIGHT if brightness(first) < _LIGHT_FROM / 3 else _BLACK, first, 0.45)
     other = named[1] if len(named) > 1 else contrast(first)
+    if name == "camouflage" and len(named) == 1:
+        dark = mixed(first, _BLACK, 0.25)
+        return first, mixed(first, _BLACK, 0.6), mixed(first, LIGHT, 0.45), dark
+    if name == "galaxy":
+        night, glow = _INKS[name][0], other if len(named) > 1 else mixed(first, LIGHT, 0.7)
+        return night, mixed(first, night, 0.6), first, glow, _WHITE
     if name == "patchwork":
         tints = (
             mixed(first, other, 0.5),
@@ -158,6 +189,17 @@ def motif_inks(name: str, named: Sequence[str]) -> tuple[str, ...]:
     if len(named) > 2:
         return (*named, mixed(first, other, 0.5))[:4]
     return first, other, mixed(other, LIGHT, 0.5), mixed(first, other, 0.5)
+
+
+def _faded(named: Sequence[str]) -> tuple[str, ...]:
+    """From above: as named, or from a pale shade of the one colour, or of a dark one that follows."""
+    if len(named) > 2:
+        return tuple(named[:3])
+    if len(named) == 2:
+        return named[0], mixed(named[0], named[1], 0.5), named[1]
+    first = named[0]
+    top, low = (first, DARK) if brightness(first) >= _LIGHT_FROM else (mixed(first, _WHITE, 0.12), first)
+    return top, mixed(top, low, 0.5), low
 
 
 def tartan_inks(named: Sequence[str]) -> tuple[str, ...]:
@@ -204,6 +246,21 @@ def _coat(name: str, named: Sequence[str]) -> tuple[str, ...]:
         return mixed(named[0], _BLACK, 0.6), named[0], mixed(named[0], LIGHT, 0.75)
     dark = brightness(named[0]) < _LIGHT_FROM / 3 and len(named) == 1
     return named[0], own[0] if dark else marks, mixed(named[0], own[0] if dark else marks, 0.6)
+
+
+def seen_on(ground: str, inks: Sequence[str]) -> tuple[str, ...]:
+    """Inks of figures, those darker that would not be seen on a ground: rabbits are grey on white.
+
+    Args:
+        ground: ``#rrggbb``.
+        inks: The same of each.
+    """
+    return tuple([mixed(ink, _BLACK, 0.68) if _apart(ground, ink) < _LEAST_APART else ink for ink in inks])
+
+
+def _apart(one: str, other: str) -> int:
+    """The most by which two colours differ in red, green or blue, 0 to 255."""
+    return max(abs(int(one[k : k + 2], 16) - int(other[k : k + 2], 16)) for k in (1, 3, 5))
 
 
 def contrast(color: str) -> str:

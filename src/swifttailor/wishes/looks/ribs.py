@@ -20,10 +20,10 @@ _PART = re.compile(
     r"(?:collar|cuff|hem|neck|waist|band|trim|edge|welt|bündchen|kragen|col|poignet)", re.IGNORECASE
 )
 """What is ribbed alone, where it stands behind the word."""
-_FINE, _COARSE, _CORD = (0.7, 0.5), (1.2, 0.8), (0.6, 0.3)
+_FINE, _COARSE, _CORD = (0.9, 0.6), (1.3, 0.9), (0.9, 0.5)
 """Widths of ribs and of what lies between them, cm."""
-_SHADE = 0.8
-"""How light the hollows between ribs are beside them."""
+_SHADE, _SHADE_OF_DARK, _DARK = 0.72, 0.5, 90
+"""How light the hollows between ribs are beside them, and beside dark ones; which count as dark, 0 to 255."""
 
 
 def ribs(words: WordReading) -> tuple[float, float] | None:
@@ -57,5 +57,6 @@ def ribbed(color: str, widths: tuple[float, float]) -> ClothPrint:
         widths: See `ribs`.
     """
     parts = [int(color[k : k + 2], 16) for k in (1, 3, 5)]
-    hollow = "#" + "".join(f"{round(_SHADE * part):02x}" for part in parts)
+    shade = _SHADE if max(parts) > _DARK else _SHADE_OF_DARK
+    hollow = "#" + "".join(f"{round(shade * part):02x}" for part in parts)
     return ClothPrint("stripes", (color, hollow), {"width": widths[0], "gap": widths[1], "angle": 90.0})

@@ -83,6 +83,9 @@ MOTIFS = (
     *("palms", "paisley", "lozenges", "argyle", "patchwork", "serape", "medallions", "waves", "triangles"),
     "sequins",
     "sprigs",
+    *("penguins", "pandas", "sharks", "whales", "unicorns", "parrots", "tigers", "rockets", "cacti"),
+    *("daisies", "sunflowers"),
+    *("galaxy", "camouflage", "zigzag", "herringbone", "rainbow", "ombre", "aztec", "wax_print"),
 )
 _SIZES = ("width", "gap", "angle", "spacing", "radius", "repeat")
 _PRINT_MARKS = (*_SIZES, "motif", "inks")

@@ -24,6 +24,29 @@ def blocks_named(marks: Sequence[WordMark]) -> WordMark | None:
     return wanted[0] if wanted else None
 
 
+def own_colors(
+    marks: Sequence[WordMark], found: Sequence[SaidLook], colors: Sequence[NamedColor | None]
+) -> list[int]:
+    """The places of the colours that are said of no part but the blocks.
+
+    Args:
+        marks: Words of the text.
+        found: What is said of parts.
+        colors: The colour that each word names.
+    """
+    apart = {id(mark) for look in found if look.part not in ("", BLOCKS) for mark in look.marks}
+    return [
+        k
+        for k, mark in enumerate(marks)
+        if category_of(mark) == "colors"
+        and is_look(mark)
+        and not mark.denied
+        and mark.role != "theirs"
+        and id(mark) not in apart
+        and colors[k] is not None
+    ]
+
+
 def second_color(
     marks: Sequence[WordMark], found: Sequence[SaidLook], colors: Sequence[NamedColor | None]
 ) -> int | None:
@@ -34,15 +57,5 @@ def second_color(
         found: What is said of parts.
         colors: The colour that each word names.
     """
-    apart = {id(mark) for look in found if look.part not in ("", BLOCKS) for mark in look.marks}
-    own = [
-        k
-        for k, mark in enumerate(marks)
-        if category_of(mark) == "colors"
-        and is_look(mark)
-        and not mark.denied
-        and mark.role != "theirs"
-        and id(mark) not in apart
-        and colors[k] is not None
-    ]
+    own = own_colors(marks, found, colors)
     return own[1] if len(own) > 1 else None

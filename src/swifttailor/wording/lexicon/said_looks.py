@@ -29,7 +29,7 @@ from swifttailor.wording.lexicon.look_words import (
     part_of_garment,
     put_on,
 )
-from swifttailor.wording.lexicon.said_blocks import BLOCKS, blocks_named, second_color
+from swifttailor.wording.lexicon.said_blocks import BLOCKS, blocks_named, own_colors, second_color
 from swifttailor.wording.lexicon.vocabulary import vocabulary
 
 if TYPE_CHECKING:
@@ -119,7 +119,10 @@ def _with_blocks(found: list[SaidLook], marks: Sequence[WordMark]) -> list[SaidL
     parts += [(look.part, mark) for look in told for mark in look.noun_marks]
     if not parts:
         return found
-    second = second_color(marks, found, [_color(marks, k) for k in range(len(marks))])
+    colors = [_color(marks, k) for k in range(len(marks))]
+    second = second_color(marks, found, colors)
+    if blocks is not None and len(own_colors(marks, found, colors)) > 2:
+        return [look for look in found if blocks not in look.noun_marks]  # bands, as a print
     of_blocks = [look for look in found if blocks is not None and blocks in look.noun_marks]
     found = [look for look in found if look not in of_blocks]
     colored = {mark for look in found if look.color is not None for mark in look.noun_marks}
