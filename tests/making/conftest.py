@@ -86,6 +86,9 @@ TRIMMED = {
     "working trousers": ("trousers", ("knee patches", "thigh pocket", "back elastic")),
     "jeans torn at the left": ("jeans", ("left knee rip",)),
     "jeans torn at the right": ("jeans", ("right knee rip",)),
+    "milkmaid dress": ("skater-dress", ("smocking",)),
+    "ruched dress": ("fitted-dress", ("ruching",)),
+    "cowl dress": ("slip-dress", ("cowl folds",)),
     "flapper dress": ("drop-waist-dress", ("hem fringe", "neck cord")),
 }
 """Name of a draft and what is put on it: between them all trims that there are."""

@@ -178,6 +178,7 @@ def test_a_spiral_goes_through_colours_that_divide_its_six():
         ("metallic gold skirt", "foil"),
         ("brown fur coat", "fur"),
         ("corduroy skirt", None),
+        ("flamenco dress", None),  # which has "lame" in it
         ("cotton dress", None),
     ],
 )

@@ -82,6 +82,14 @@ def test_what_is_wanted_first(text, kind, first):
         ("pirate dress", {"lacing", "hem frill"}),
         ("peasant dress", {"neck cord"}),
         ("busuti", {"tie belt"}),
+        ("smocked dress", {"smocking"}),
+        ("ruched dress", {"ruching"}),
+        ("hoodie dress", {"kangaroo pocket"}),
+        ("a strappy dress with a shirred bodice", {"smocking"}),
+        ("smock dress", set()),
+        ("cardigan dress", {"buttons", "patch pockets"}),
+        ("cheer dress", set()),
+        ("cheerleader dress", {"bands"}),
         ("wedding dress", set()),  # which may have lace, but need not
     ],
 )

@@ -29,6 +29,8 @@ black long sleeve dress | black |
 lace sleeve dress | | sleeves lace
 pink dress with dark green sleeves | pink | sleeves dark green
 black jumpsuit wide legs no sleeves | black |
+champagne satin cowl neck maxi slip dress | champagne |
+emerald boat neck midi slip dress | emerald |
 navy skirt knee length | navy |
 a vest, the red puffy one | red |
 sleeves in lace, the rest of the dress in satin, ivory | ivory | sleeves lace

@@ -150,6 +150,22 @@ _OTHERS: Mapping[str, tuple[str, str]] = {
         "Sew the fronts together in the middle, cut them along the marked strip, and set the zip in from the "
         "neck to the hem.",
     ),
+    "smocking": (
+        "Smocking",
+        "Cut the panels of the bodice twice as wide, their height as it is. Wind elastic thread on the "
+        "bobbin, sew along every marked row with the longest stitch, and steam the cloth until it is as wide "
+        "as the panel was.",
+    ),
+    "ruching": (
+        "Ruching",
+        "Cut the panels one and a half times as long below the marked folds, gather their side edges to the "
+        "length that they had, and sew the side seams over narrow elastic.",
+    ),
+    "cowl folds": (
+        "Cowl",
+        "Cut the front on the bias, spread along the marked folds by 3 cm each so that the neckline is "
+        "longer than it was, face its edge, and let the cloth between the shoulders hang in folds.",
+    ),
     "storm flap": (
         "Storm flap",
         "Cut the marked piece twice, with allowances. Sew both together but for shoulder and armhole, turn "

@@ -30,7 +30,7 @@ SHOULD_HAVE = {
     "polo placket": ("polo-shirt", "t-shirt"),
     "waist placket": ("shirt-dress", "fitted-dress", "shift-dress", "shirt"),
     "double-breasted buttons": (*JACKETS, *TROUSERS),
-    "zip": (*TOPS, *JACKETS, "jumpsuit", "strapless-dress", "camisole", "bustier"),
+    "zip": (*TOPS, *JACKETS, "jumpsuit", "strapless-dress", "camisole", "bustier", "circle-skirt"),
     "half zip": (*TOPS, "hoodie"),
     "back zip": (*DRESSES, *SKIRTS, "strapless-dress", "jumpsuit"),
     "side zip": (*SKIRTS, *TROUSERS, "strapless-dress", "pinafore"),
@@ -105,6 +105,9 @@ SHOULD_HAVE = {
     "reflecting bands": ("t-shirt", "waistcoat", "bomber-jacket", "cardigan", "trousers", "joggers"),
     "asymmetric zip": ("turtleneck", "blazer", "coat", "denim-jacket", "t-shirt"),
     "storm flap": ("coat", "blazer", "hooded-coat", "turtleneck"),
+    "smocking": ("skater-dress", "empire-dress", "strappy-dress", "strapless-dress", "t-shirt", "bustier"),
+    "ruching": ("fitted-dress", "fitted-skirt", "t-shirt", "bustier", "shift-dress"),
+    "cowl folds": ("slip-dress", "camisole", "t-shirt", "fitted-dress"),
 }
 CHILDREN = (60.0, 92.0, 110.0, 128.0, 152.0)
 SOME = tuple(info for info in list_drafts() if info.name not in ("gored-skirt", "pleated-skirt"))
@@ -142,6 +145,7 @@ def test_has_its_place_on_the_drafts_that_should_have_it(name, drafts):
         ("arm slits", "coat"), ("yoke frill", "bustier"), ("neck lace", "jeans"),
         ("front frills", "fitted-skirt"),
         ("reflecting bands", "fitted-skirt"), ("asymmetric zip", "jeans"), ("storm flap", "trousers"),
+        ("smocking", "fitted-skirt"), ("ruching", "jeans"), ("cowl folds", "jeans"),
     ],
 )  # fmt: skip
 def test_has_none_on_others(name, draft_name, drafts):

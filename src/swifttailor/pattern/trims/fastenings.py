@@ -227,7 +227,7 @@ def front_zip(chalk: Chalk, name: str) -> list[Trim]:
     """Down the seam in the middle."""
     seam = _front(chalk)
     if seam is None:
-        return []
+        return _zip_of_skirt(chalk, name) if name == "zip" else []
     right, left, low, high = seam
     if name == "half zip":
         low = max(low, high - _HALF_ZIP * chalk.size)
@@ -241,6 +241,18 @@ def front_zip(chalk: Chalk, name: str) -> list[Trim]:
         stitches.append(chalk.line(name, ref.panel, line))
     below = _zip_of_legs(chalk, name) if name == "zip" else []
     return [*pieces, *(line for one in stitches for line in one if all(stitches)), *below]
+
+
+def _zip_of_skirt(chalk: Chalk, name: str) -> list[Trim]:
+    """Down the middle of a skirt in one piece, from the waist to the hem."""
+    middle = _skirt_middle(chalk)
+    if middle is None or "left_ftorso" in chalk.views or middle[1] - middle[0] < _SHORTEST:
+        return []
+    heights = np.linspace(middle[0] + 0.5, middle[1] - 0.4, 14)
+    sides = [[(sign * _ZIP, float(y)) for y in heights] for sign in (-1, 1)]
+    teeth = chalk.ruled(name, "skirt_front", *sides, "metal", is_cut=False)
+    lines = [chalk.line(name, "skirt_front", [(sign * 1.8, float(y)) for y in heights]) for sign in (-1, 1)]
+    return [*teeth, *(line for one in lines for line in one)] if teeth else []
 
 
 _BELOW_WAIST = 14.0

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike
 
-from swifttailor.arrays import Floats
+from swifttailor.arrays import Bools, Floats
 from swifttailor.pattern.panel import Panel
 from swifttailor.pattern.pattern import EdgeRef, Pattern
 
@@ -52,6 +52,11 @@ class FrontView:
     def high(self) -> float:
         """Its greatest height."""
         return float(self.outline[:, 1].max())
+
+    @property
+    def side(self) -> int:
+        """1 of a panel on the wearer's left, -1 of one on the right."""
+        return 1 if self.outline[:, 0].mean() > 0 else -1
 
     @property
     def faces_front(self) -> bool:
@@ -123,13 +128,16 @@ class FrontView:
 
     def holds(self, points: ArrayLike) -> bool:
         """Whether all points (n, 2) of the view lie on it, away from its sides but for the middle one."""
+        return bool(np.all(self.held(points)))
+
+    def held(self, points: ArrayLike) -> Bools:
+        """(n,) which points (n, 2) of the view do."""
         from shapely import intersects_xy
 
         points = np.asarray(points, float)
-        beside = points[np.abs(points[:, 0]) > _MIDDLE]
-        margin = (_MARGIN, 0.0)
-        near = np.concatenate([beside - margin, beside + margin])
-        return bool(np.all(intersects_xy(self._cloth, points))) and self.bridges(near)
+        beside = np.where(np.abs(points[:, :1]) > _MIDDLE, (_MARGIN, 0.0), 0.0)
+        near = intersects_xy(self._bridged, points - beside) & intersects_xy(self._bridged, points + beside)
+        return np.asarray(intersects_xy(self._cloth, points) & near, bool)
 
 
 def dart_tips(pattern: Pattern) -> dict[str, tuple[int, ...]]:

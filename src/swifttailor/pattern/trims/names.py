@@ -88,6 +88,9 @@ TRIMS: Mapping[str, str] = {
     "reflecting bands": "two bands of reflecting tape",
     "asymmetric zip": "a zip aslant across the front",
     "storm flap": "a flap over the right shoulder",
+    "smocking": "rows of smocking around the bodice",
+    "ruching": "folds gathered along the side seams",
+    "cowl folds": "folds that hang below the neck",
 }
 """By name, what each is for people. None joins panels, so none changes how a garment is cut or hangs."""
 LIKE_EACH_OTHER = (

@@ -20,12 +20,14 @@ from swifttailor.pattern.trims import (
 from swifttailor.pattern.trims.arm_slits import arm_slits
 from swifttailor.pattern.trims.boning import boning
 from swifttailor.pattern.trims.chalk import Chalk
+from swifttailor.pattern.trims.cowl import cowl_folds
 from swifttailor.pattern.trims.diagonal_closing import diagonal_closing
 from swifttailor.pattern.trims.epaulettes import epaulettes
 from swifttailor.pattern.trims.keyholes import keyhole
 from swifttailor.pattern.trims.knee_patches import knee_patches
 from swifttailor.pattern.trims.reflecting_bands import reflecting_bands
 from swifttailor.pattern.trims.rips import frayed_hem, rips
+from swifttailor.pattern.trims.ruching import ruching
 from swifttailor.pattern.trims.shapes import Trim
 from swifttailor.pattern.trims.side_panels import side_panels
 from swifttailor.pattern.trims.side_stripes import (
@@ -34,6 +36,7 @@ from swifttailor.pattern.trims.side_stripes import (
     three_side_stripes,
     three_sleeve_stripes,
 )
+from swifttailor.pattern.trims.smocking import smocking
 from swifttailor.pattern.trims.stirrups import stirrups
 from swifttailor.pattern.trims.yoke_frill import yoke_frill
 
@@ -118,6 +121,9 @@ _PLACES: Mapping[str, Callable[[Chalk, str], list[Trim]]] = {
     "reflecting bands": reflecting_bands,
     "asymmetric zip": across_front.asymmetric_zip,
     "storm flap": across_front.storm_flap,
+    "smocking": smocking,
+    "ruching": ruching,
+    "cowl folds": cowl_folds,
 }
 """How each of `names.TRIMS` is marked."""
 

@@ -96,21 +96,26 @@ def welt_pockets(chalk: Chalk, name: str) -> list[Trim]:
     return pieces
 
 
+_KANGAROO_BELOW_WAIST = 27.0
+"""What hangs lower than so far below the waist has its kangaroo pocket there, cm."""
+
+
 def kangaroo(chalk: Chalk, name: str) -> list[Trim]:
-    """Across both fronts above the hem, open towards the sides."""
+    """Across both fronts above the hem, or at the hips of what is longer, open towards the sides."""
     s, pieces = chalk.size, []
     for side, sign in (("left", 1), ("right", -1)):
         view = chalk.views.get(f"{side}_ftorso")
         if view is None:
             return []
-        span = view.span(view.low + 6)
+        lowest = max(view.low, chalk.waist - _KANGAROO_BELOW_WAIST * s)
+        span = view.span(lowest + 6)
         if span is None:
             return []
         reach = min(15.0 * s, max(abs(span[0]), abs(span[1])) - 3)
         column, beside = view.column(sign * 0.5), view.column(sign * reach)
         if column is None or beside is None:
             return []
-        bottom, sides = column[0] + 1.0, beside[0] + 1.0
+        bottom, sides = max(column[0] + 1.0, lowest), max(beside[0] + 1.0, lowest)
         top = min(bottom + 19 * s, view.high - 20 * s)
         if top < max(bottom + 10 * s, sides + 13 * s):
             return []

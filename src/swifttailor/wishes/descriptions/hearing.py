@@ -289,6 +289,14 @@ _WHOLE_KINDS = frozenset({"dress", "jumpsuit", "playsuit"})
 """Kinds with skirts or legs: who speaks of these at length still asks for the whole."""
 _LOWER_KINDS = frozenset({"skirt", "trousers", "shorts"})
 _BARE_ARMS = Claim("sleeves", "none")
+_CLOSE_HIPS = Claim("hips", "close")
+_ROOMY = frozenset(
+    {
+        *[Claim("skirt", value) for value in ("gathered", "circle", "flared", "half circle", "a-line")],
+        *[Claim("fit", value) for value in ("loose", "oversized")],
+    }
+)
+_HIPS = re.compile(r"\bhips?\b|\bbum|bottom|\bseat\b|curv|hug|cling|tight|fitted", re.IGNORECASE)
 _TIERS = frozenset({Claim("skirt", "tiered"), Claim("skirt", "gathered tiers")})
 _POINTED = Claim("hem_shape", "pointed")
 _TOPICS = {
@@ -304,8 +312,8 @@ _TOPICS = {
 def _without_guesses(text: str, found: Iterable[Wish], words: WordReading) -> tuple[Wish, ...]:
     """Without what only a network reads and no word of the text can mean.
 
-    Turned-up ends are no bands, a bow at the back is no slit there, and of the hips of tops nothing
-    is said unless a word names them.
+    Turned-up ends are no bands, a bow at the back is no slit there, of the hips of tops nothing
+    is said unless a word names them, and no gathered skirt or loose dress is close there.
     """
     lacking = {lack.what for lack in words.lacks}
     implied = {i.claim for i in words.implications}
@@ -317,6 +325,8 @@ def _without_guesses(text: str, found: Iterable[Wish], words: WordReading) -> tu
             if claim.name in ("leg_cuffs", "leg_cuff_cm") and "turn_ups" in lacking:
                 continue
             if claim.name == "hips" and kinds == {"top"}:
+                continue
+            if claim == _CLOSE_HIPS and not _ROOMY.isdisjoint(implied) and not _HIPS.search(text):
                 continue
             if claim.name == "hem_shape" and "curved_hem" in lacking:  # level but for its sides
                 continue

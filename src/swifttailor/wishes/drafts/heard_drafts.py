@@ -13,6 +13,7 @@ from swifttailor.wishes.drafts.armholes_as_asked import armholes_as_asked
 from swifttailor.wishes.drafts.asked_hems import hem_as_asked
 from swifttailor.wishes.drafts.bubble_hems import bubble_as_asked
 from swifttailor.wishes.drafts.clinging_drafts import STRETCH, clinging_as_asked
+from swifttailor.wishes.drafts.close_wraps import wrapped_close_as_asked
 from swifttailor.wishes.drafts.drafts_as_asked import draft_as_asked
 from swifttailor.wishes.drafts.drafts_of_names import covers, draft_of_kind, draft_of_name
 from swifttailor.wishes.drafts.godets_as_asked import godets_as_asked
@@ -111,7 +112,7 @@ def drafts_of(heard: Heard) -> tuple[NamedDraft, ...]:
     fitting = [with_details(draft, lacks, sure) for draft in fitting]
     fitting = [tiers_as_asked(godets_as_asked(draft, sure), sure) for draft in fitting]
     fitting = [bubble_as_asked(draft, heard.lacks, sure) for draft in fitting]
-    fitting = wound_as_asked(fitting, sure)
+    fitting = [wrapped_close_as_asked(draft, sure) for draft in wound_as_asked(fitting, sure)]
     fitting = [pleats_as_asked(draft, heard.lacks, sure) for draft in fitting]
     fitting = [huge_as_said(tier_as_said(draft, heard.text), heard.text) for draft in fitting]
     closed = [closed_as_counted(draft, heard.text) for draft in fitting]

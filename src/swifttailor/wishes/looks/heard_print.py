@@ -83,6 +83,10 @@ _VAGUE = frozenset("print prints printed patterned patterning mixed".split()) | 
 _SIZE = {"stripes": ("width", "gap"), "checks": ("width",), "plaid": ("spacing",), "motif": ("repeat",)}
 
 
+_OF_NAMES = 2
+"""How vague a print is that the name of a garment means."""
+
+
 def heard_print(text: str, words: WordReading, parts: PrintedParts = ON_ALL) -> ClothPrint | None:
     """The print that a text asks for; None where it asks for none, or for plain cloth.
 
@@ -98,6 +102,8 @@ def heard_print(text: str, words: WordReading, parts: PrintedParts = ON_ALL) -> 
         return _of_blocks(words) or _in_color(text, words)
     # What is said of the print itself goes before what names of garments mean, "leopard" before "print".
     mark = min(marks, key=_vagueness)
+    if _vagueness(mark) == _OF_NAMES and asks_for_plain(words):
+        return None
     named = next(entry.print for entry in mark.entries if entry.print is not None)
     apart = _sized(text, words, mark)
     named = named if apart is None else apart
@@ -218,7 +224,7 @@ def _in_color(text: str, words: WordReading) -> ClothPrint | None:
 def _vagueness(mark: WordMark) -> int:
     """0 of what names a print, 1 of "printed", 2 of garments that usually have one."""
     if not any(entry.category == "prints" for entry in mark.entries):
-        return 2
+        return _OF_NAMES
     return int(mark.word.lower() in _VAGUE or mark.word.lower().startswith("with "))
 
 

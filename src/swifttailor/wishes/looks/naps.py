@@ -16,12 +16,13 @@ _CURLED = re.compile(
     re.IGNORECASE,
 )
 _VELVET = re.compile(
-    r"velvet|velour|velluto|terciopelo|samt|fluweel|veludo|plush|devor|chenille|panne|nicki", re.IGNORECASE
+    r"velvet|velour|velluto|terciopelo|(?<!ge)samt|fluweel|veludo|plush|devor|chenille|panne(?!a)|nicki",
+    re.IGNORECASE,
 )
 _NOT_VELVET = re.compile(r"cord|côtelé|ribbed", re.IGNORECASE)
 _GLITTER = re.compile(r"sequin|glitt?er|sparkl|pailletten|lentejuela|paillette|spangl", re.IGNORECASE)
 _METAL = re.compile(
-    r"metallic|metallics|lam[eé]|foil|liquid (?:gold|silver)|chrome|holographic|iridescent|metallisch"
+    r"metallic|metallics|\blam[eé]\b|foil|liquid (?:gold|silver)|chrome|holographic|iridescent|metallisch"
     r"|métallisé|hologram",
     re.IGNORECASE,
 )

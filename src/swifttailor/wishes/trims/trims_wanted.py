@@ -53,6 +53,9 @@ TRIMS_OF: Mapping[str, tuple[str, ...]] = {
     "asymmetric_closing": ("diagonal closing", "asymmetric zip"),
     "reflective": ("reflecting bands",),
     "storm_flap": ("storm flap",),
+    "smocking": ("smocking",),
+    "ruching": ("ruching",),
+    "draped": ("cowl folds",),
     "knee_patches": ("knee patches",),
     "keyhole": ("keyhole",),
     "keyhole_back": ("back keyhole",),
@@ -79,7 +82,7 @@ _WRAPS = frozenset({"wrap-dress", "wrap-top", "robe"})
 _HOODED = frozenset({"hoodie", "hooded-coat"})
 _RIBS, _RIBBED = "rib_bands", frozenset({"t-shirt", "tank-top", "sweatshirt"})
 _KNITS = frozenset({"jersey", "rib-knit", "sweatshirt", "fleece"})
-_SAID_ALONE = frozenset({"lace", "braid", "apron", "boning", "pleats"})
+_SAID_ALONE = frozenset({"lace", "braid", "apron", "boning", "pleats", "smocking", "ruching", "draped"})
 """What is put on only where the text itself asks for it, or a row of the tables has its trim."""
 _LOWER = ("trousers", "shorts")
 _FOR_JACKETS, _TAILORED = frozenset({"cardigan", "turtleneck"}), "blazer"
@@ -87,7 +90,7 @@ _FOR_JACKETS, _TAILORED = frozenset({"cardigan", "turtleneck"}), "blazer"
 _DENIM = "denim"
 _FLOUNCED = Claim("cuffs", "flounce")
 """Frills of the sleeves, where no others are named."""
-_ANY_BIG = "patch pockets"
+_KANGAROO, _ANY_BIG = "kangaroo pocket", "patch pockets"
 """What "big pockets" are where nothing tells their place."""
 _DETAILS = "styles"
 """The category of entries that name trims themselves."""
@@ -124,6 +127,8 @@ def trims_wanted(heard: Heard, draft: str = "", kind: str = "") -> tuple[TrimWis
         if not lack.said and lack.what in _SAID_ALONE and not own and not _is_worn_beside(heard, lack.what):
             can = ()
         said = tuple([name for name in named if name in can])
+        if draft in _HOODED:  # that of a hoodie
+            said = tuple([_KANGAROO if name == "front pocket" else name for name in said])
         placed = trims_by_place(heard.text, lack.what, kind=kind, draft=draft) if lack.said else ()
         if placed:
             others = [name for name in said if name != _ANY_BIG]

@@ -224,10 +224,12 @@ class _Reader:
     def _nouns_from(self, j: int, k: int) -> list[tuple[int, str]]:
         """The noun j with those that are joined to it: "white collar and cuffs"."""
         last = j
-        while (
-            last + 1 < len(self._marks) and self._is_close(last + 1) and self._is_noun(self._marks[last + 1])
-        ):
-            last += 1
+        for after, mark in enumerate(self._marks[j + 1 :], j + 1):
+            is_noun = self._is_noun(mark)
+            if not self._is_close(after) or not (is_noun or category_of(mark) == "lengths"):
+                break
+            if is_noun and (after == last + 1 or mark.role == "garment"):  # "boat neck maxi slip dress"
+                last = after
         first, noun = self._marks[j], self._marks[last]
         if last > j and noun.entries[0].category == "garments":
             bare = category_of(first) == "parts" and " " not in first.word and j == k + 1
