@@ -40,6 +40,8 @@ FLAT = (
     "bands",
     "lace trim",
     "neck lace",
+    "fur trim",
+    "neck fur",
     "neck rib",
     "armhole ribs",
     "hem rib",

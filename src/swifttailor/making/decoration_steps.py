@@ -16,6 +16,8 @@ _STRIPS = {
     "edging": "ribbon or braid",
     "piping": "piping cord in bias binding",
     "bands": "strips of the other cloth",
+    "fur trim": "fur",
+    "neck fur": "fur",
 }
 """What is sewn along edges."""
 _TITLES: Mapping[str, str] = {
@@ -32,6 +34,8 @@ _TITLES: Mapping[str, str] = {
     "piping": "Piping",
     "bands": "Bands along the edges",
     "lace trim": "Lace",
+    "fur trim": "Fur along the edges",
+    "neck fur": "Fur at the neck or hood",
     "side stripes": "Stripes down the sides",
     "sleeve stripes": "Stripes down the sleeves",
 }

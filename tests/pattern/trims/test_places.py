@@ -72,6 +72,8 @@ SHOULD_HAVE = {
     "bands": (*DRESSES, "robe", "t-shirt", "shirt"),
     "lace trim": (*SKIRTS, *DRESSES, "camisole"),
     "neck lace": (*DRESSES, "t-shirt", "shirt", "camisole", "slip-dress"),
+    "fur trim": (*SKIRTS, *DRESSES, "hoodie", "coat"),
+    "neck fur": ("hoodie", "coat", "shirt"),
     "side stripes": (*TROUSERS, *SKIRTS[:2], "leggings", "jumpsuit", "shift-dress", "t-shirt"),
     "sleeve stripes": ("t-shirt", "bomber-jacket", "sweatshirt", "hoodie"),
     "three side stripes": (*TROUSERS, "leggings", "jumpsuit", "t-shirt"),
