@@ -65,7 +65,7 @@ TRIMMED = {
     "track bottoms": ("trousers", ("three side stripes", "back welt pockets")),
     "biker jacket": ("denim-jacket", ("asymmetric zip",)),
     "raincoat": ("coat", ("storm flap",)),
-    "furred coat": ("coat", ("neck fur",)),
+    "furred coat": ("coat", ("neck fur", "sleeve fur")),
     "Santa dress": ("skater-dress", ("fur trim",)),
     "banded dress": ("shift-dress", ("bands", "side panels")),
     "sundress": ("strappy-dress", ("shoulder bows",)),

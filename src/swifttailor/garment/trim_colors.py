@@ -44,7 +44,7 @@ _IN_ANOTHER: Mapping[str, tuple[str, str]] = {
     "lace trim": ("#f3efe6", "#c9bfae"),
     "neck lace": ("#f3efe6", "#c9bfae"),
     "fur trim": ("#f4f1ea", "#6d5039"),
-    "neck fur": ("#b99f7c", "#8a6a4b"),
+    **dict.fromkeys(("neck fur", "sleeve fur"), ("#ddccb0", "#8a6a4b")),
     "side panels": ("#f3efe6", "#26324a"),
     **dict.fromkeys(("side stripes", "sleeve stripes"), ("#f3efe6", "#26324a")),
     **dict.fromkeys(("three side stripes", "three sleeve stripes"), ("#f3efe6", "#26324a")),
@@ -57,7 +57,7 @@ _RIBS = ("neck rib", "armhole ribs", "hem rib")
 _LIGHT = 0.55
 """Linear light of cloth from which on it is light."""
 _BLACK_LEATHER, _GREYISH = "#33312f", 0.02
-"""A belt of leather on black cloth, and how far apart the channels of such cloth are at most, linear light."""
+"""A belt of leather on black cloth, and how far apart the channels of that are at most, linear light."""
 _LIGHT_BUTTON, _DARK_BUTTON = "#bdb6a8", "#6b5a49"
 
 

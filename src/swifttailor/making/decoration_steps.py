@@ -18,6 +18,7 @@ _STRIPS = {
     "bands": "strips of the other cloth",
     "fur trim": "fur",
     "neck fur": "fur",
+    "sleeve fur": "fur",
 }
 """What is sewn along edges."""
 _TITLES: Mapping[str, str] = {
@@ -36,6 +37,7 @@ _TITLES: Mapping[str, str] = {
     "lace trim": "Lace",
     "fur trim": "Fur along the edges",
     "neck fur": "Fur at the neck or hood",
+    "sleeve fur": "Fur at the ends of the sleeves",
     "side stripes": "Stripes down the sides",
     "sleeve stripes": "Stripes down the sleeves",
 }

@@ -74,6 +74,7 @@ SHOULD_HAVE = {
     "neck lace": (*DRESSES, "t-shirt", "shirt", "camisole", "slip-dress"),
     "fur trim": (*SKIRTS, *DRESSES, "hoodie", "coat"),
     "neck fur": ("hoodie", "coat", "shirt"),
+    "sleeve fur": ("coat", "t-shirt"),
     "side stripes": (*TROUSERS, *SKIRTS[:2], "leggings", "jumpsuit", "shift-dress", "t-shirt"),
     "sleeve stripes": ("t-shirt", "bomber-jacket", "sweatshirt", "hoodie"),
     "three side stripes": (*TROUSERS, "leggings", "jumpsuit", "t-shirt"),

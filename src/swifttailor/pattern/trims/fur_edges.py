@@ -16,6 +16,11 @@ def neck_fur(chalk: Chalk, name: str) -> list[Trim]:
     return _along(chalk, name, hood_edges(chalk.pattern) or neck_edges(chalk.pattern))
 
 
+def sleeve_fur(chalk: Chalk, name: str) -> list[Trim]:
+    """A strip around the end of each sleeve."""
+    return _along(chalk, name, sleeve_ends(chalk.pattern))
+
+
 def fur_trim(chalk: Chalk, name: str) -> list[Trim]:
     """A strip along neck or hood, hem and ends of sleeves."""
     pattern = chalk.pattern

@@ -25,7 +25,7 @@ _METAL = re.compile(
     r"|métallisé|hologram",
     re.IGNORECASE,
 )
-_EDGED = frozenset({"neck fur", "fur trim"})
+_EDGED = frozenset({"neck fur", "fur trim", "sleeve fur"})
 _REPEATS_CM: Mapping[str, float] = {
     "curls": 42,
     "cables": 26,
