@@ -21,6 +21,7 @@ from swifttailor.garment.glb import glb_bytes
 from swifttailor.garment.obj import obj_text
 from swifttailor.garment.preview import trim_surfaces
 from swifttailor.garment.triangle_mesh import mesh_of_garment
+from swifttailor.garment.trim_colors import trim_color
 from swifttailor.garment.trim_meshes import TrimMesh, trim_meshes
 from swifttailor.garment.trim_parts import trim_parts
 from swifttailor.garment_sewer.sewer import GarmentSewer
@@ -40,6 +41,9 @@ FLAT = (
     "bands",
     "lace trim",
     "neck lace",
+    "fur trim",
+    "neck fur",
+    "sleeve fur",
     "neck rib",
     "armhole ribs",
     "hem rib",
@@ -220,6 +224,12 @@ def test_trims_stand_out_from_cloth_of_any_colour(color):
     for surface in trim_surfaces(garment):
         assert (np.asarray(surface.color) >= 0).all() and (np.asarray(surface.color) <= 1).all()
         assert all((line.strength < 0) == dark for line in surface.lines)
+
+
+@pytest.mark.parametrize(("color", "brown"), [("#18181b", False), ("#2f4d8a", True)])
+def test_a_leather_belt_on_black_cloth_is_black(color, brown):
+    red, _, blue = trim_color(replace(with_trims(worn("coat")), color=color), "leather")
+    assert (red > 2.0 * blue) == brown
 
 
 @pytest.mark.parametrize(

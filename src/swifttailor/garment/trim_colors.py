@@ -43,6 +43,8 @@ _IN_ANOTHER: Mapping[str, tuple[str, str]] = {
     **dict.fromkeys(("edging", "piping", "bands"), ("#f3efe6", "#33415c")),
     "lace trim": ("#f3efe6", "#c9bfae"),
     "neck lace": ("#f3efe6", "#c9bfae"),
+    "fur trim": ("#f4f1ea", "#6d5039"),
+    **dict.fromkeys(("neck fur", "sleeve fur"), ("#ddccb0", "#8a6a4b")),
     "side panels": ("#f3efe6", "#26324a"),
     **dict.fromkeys(("side stripes", "sleeve stripes"), ("#f3efe6", "#26324a")),
     **dict.fromkeys(("three side stripes", "three sleeve stripes"), ("#f3efe6", "#26324a")),
@@ -54,6 +56,8 @@ _UNDYED, _PALE = "#f1efe9", 0.62
 _RIBS = ("neck rib", "armhole ribs", "hem rib")
 _LIGHT = 0.55
 """Linear light of cloth from which on it is light."""
+_BLACK_LEATHER, _GREYISH = "#33312f", 0.02
+"""A belt of leather on black cloth, and how far apart the channels of that are at most, linear light."""
 _LIGHT_BUTTON, _DARK_BUTTON = "#bdb6a8", "#6b5a49"
 
 
@@ -95,6 +99,8 @@ def trim_color(
         return (0.30 if float(cloth @ GREY) >= DARK else 2.2) * cloth
     if look == "button":
         return to_linear(_LIGHT_BUTTON if float(cloth @ GREY) < 0.25 else _DARK_BUTTON)
+    if look == "leather" and is_dark(cloth) and float(np.ptp(cloth)) < _GREYISH:
+        return to_linear(_BLACK_LEATHER)
     return to_linear(_COLORS[look])
 
 

@@ -16,6 +16,9 @@ _STRIPS = {
     "edging": "ribbon or braid",
     "piping": "piping cord in bias binding",
     "bands": "strips of the other cloth",
+    "fur trim": "fur",
+    "neck fur": "fur",
+    "sleeve fur": "fur",
 }
 """What is sewn along edges."""
 _TITLES: Mapping[str, str] = {
@@ -32,6 +35,9 @@ _TITLES: Mapping[str, str] = {
     "piping": "Piping",
     "bands": "Bands along the edges",
     "lace trim": "Lace",
+    "fur trim": "Fur along the edges",
+    "neck fur": "Fur at the neck or hood",
+    "sleeve fur": "Fur at the ends of the sleeves",
     "side stripes": "Stripes down the sides",
     "sleeve stripes": "Stripes down the sleeves",
 }

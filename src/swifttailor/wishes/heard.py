@@ -169,9 +169,12 @@ class Heard:
 
     @property
     def _implied_colors(self) -> list[str]:
-        """Colours that go with its names and cloths, those of cloths first: a skirt of leather is black."""
+        """Colours that go with its names and cloths, most telling first.
+
+        Those of persons first, then those of cloths: a swimsuit of Baywatch is red, a skirt of leather black.
+        """
         found = [
-            ((entry.category != "fabrics", mark.role == "second"), color)
+            ((entry.place[0] != _PERSONS, entry.category != "fabrics", mark.role == "second"), color)
             for mark in self.meant_marks
             for entry in mark.entries
             if entry.category != "colors" and (color := usual_color(mark.word, entry)) is not None
@@ -245,6 +248,8 @@ def _apart(mark: WordMark, other: WordMark) -> str:
 
 
 _TURNED_DOWN = frozenset({"shirt_collar"})
+_PERSONS = "persons.txt"
+"""Of whom the looks are known."""
 HEARD_NOTHING = Heard("")
 """Where there is no text."""
 

@@ -36,6 +36,11 @@ def neck_edges(pattern: Pattern) -> tuple[EdgeRef, ...]:
     return tuple([ref for ref, points in found if _around_neck(pattern.panel(ref.panel), ref, points)])
 
 
+def hood_edges(pattern: Pattern) -> tuple[EdgeRef, ...]:
+    """Free edges of a hood around the face; none of a garment without."""
+    return tuple([ref for ref, _ in _free(pattern) if "hood" in ref.panel])
+
+
 def armhole_edges(pattern: Pattern) -> tuple[EdgeRef, ...]:
     """Free edges of fronts and backs around armholes without sleeves; none of a garment without shoulders."""
     taken = {*neck_edges(pattern), *hem_edges(pattern)}

@@ -23,6 +23,7 @@ from swifttailor.pattern.trims.chalk import Chalk
 from swifttailor.pattern.trims.cowl import cowl_folds
 from swifttailor.pattern.trims.diagonal_closing import diagonal_closing
 from swifttailor.pattern.trims.epaulettes import epaulettes
+from swifttailor.pattern.trims.fur_edges import fur_trim, neck_fur, sleeve_fur
 from swifttailor.pattern.trims.keyholes import keyhole
 from swifttailor.pattern.trims.knee_patches import knee_patches
 from swifttailor.pattern.trims.reflecting_bands import reflecting_bands
@@ -88,6 +89,9 @@ _PLACES: Mapping[str, Callable[[Chalk, str], list[Trim]]] = {
     "bands": decorations.edging,
     "lace trim": decorations.edging,
     "neck lace": decorations.neck_lace,
+    "fur trim": fur_trim,
+    "neck fur": neck_fur,
+    "sleeve fur": sleeve_fur,
     "side stripes": side_stripes,
     "sleeve stripes": sleeve_stripes,
     "three side stripes": three_side_stripes,

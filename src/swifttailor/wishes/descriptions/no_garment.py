@@ -14,6 +14,8 @@ _GO_WITH = frozenset("something anything outfit look wear wearing with match mat
 """Words of who has such a thing already, and wants a garment beside it."""
 _TELL_NO_GARMENT = frozenset({"function", "colors", "prints", "fabrics", "sizes", "occasions", "polite"})
 _POLITE = "polite"
+_CLOTHES = "separate_pieces"
+"""What words for clothes in general, and for several at once, cannot be made as."""
 _ASKING = (
     r"(?:(?:can|could|would|will|do) (?:you|u|somebody|anyone|they) (?:please |also |kindly )?"
     r"|where can i (?:get|have) |how (?:do|can|should|to) (?:i |you |we )?|i need to (?:get |have )?)?"
@@ -80,6 +82,8 @@ def asks_for_none(heard: Heard, text: str) -> str:
         languages = f"{', '.join(first)} or {last}"
         return _NOTHING_KNOWN.format(text=quoted, languages=languages, near=near)
     named = [m for m in known if _category(m) == _NOT_MADE and not any(e.worn for e in m.entries)]
+    if heard.guess:  # "a Ghostbusters costume": clothes in general, of a person whose clothes are known
+        named = [m for m in named if not any(_CLOTHES in e.cannot for e in m.entries)]
     others = [mark for mark in known if mark not in named and _category(mark) not in _TELL_NO_GARMENT]
     # A garment that an occasion stands for is written before the text, and is none of its words.
     others = [mark for mark in others if any(w in text.lower() for w in mark.word.lower().split())]

@@ -26,6 +26,7 @@ _METAL = re.compile(
     r"|métallisé|hologram",
     re.IGNORECASE,
 )
+_EDGED = frozenset({"neck fur", "fur trim", "sleeve fur"})
 _REPEATS_CM: Mapping[str, float] = {
     "curls": 42,
     "cables": 26,
@@ -43,6 +44,8 @@ def nap_of(words: WordReading) -> str | None:
         words: Of a text, by the lexicon.
     """
     marks = [mark for mark in words.marks if not mark.denied]
+    # Fur along a hood or a collar is no fur of the whole.
+    marks = [mark for mark in marks if not any(_EDGED.intersection(entry.trims) for entry in mark.entries)]
     lacking = {what for mark in marks for entry in mark.entries for what in entry.cannot}
     said = " ".join([mark.word for mark in marks])
     if "cables" in lacking:

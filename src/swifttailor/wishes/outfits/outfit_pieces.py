@@ -107,6 +107,8 @@ def pieces_of(text: str, words: WordReading) -> Pieces | None:
         first.setdefault(half, Piece(mark, None))
     if len(first) < len(HALVES):
         meant = [(m, o) for m in sets if (o := named_outfit(m.word, m.entries)) and m.role not in _ASIDE]
+        if names:  # a T-shirt of a film is no half of what is worn in it
+            meant = [(mark, outfit) for mark, outfit in meant if _category(mark) != "occasions"]
         if not meant:
             return None
         mark, outfit = meant[0]
@@ -190,8 +192,6 @@ def _is_outfit(mark: WordMark) -> bool:
 
 
 def _is_several(mark: WordMark) -> bool:
-    if _category(mark) not in ("garments", "accessories"):
-        return False
     if named_outfit(mark.word, mark.entries) is not None:
         return True
     return any(e.category == "accessories" and "separate_pieces" in e.cannot for e in mark.entries)

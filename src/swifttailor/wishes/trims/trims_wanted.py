@@ -37,6 +37,7 @@ TRIMS_OF: Mapping[str, tuple[str, ...]] = {
     "ties": ("tie belt", "neck bow", "waist bow", "shoulder bows", "back bow", "back ties"),
     "braid": ("edging", "piping", "bands"),
     "lace": ("lace trim", "neck lace"),
+    "fur": ("neck fur", "fur trim", "sleeve fur"),
     "side_stripes": ("side stripes", "sleeve stripes", *THREE),
     "side_panels": ("side panels",),
     "frills": _FRILLS,
@@ -264,7 +265,7 @@ def _usual(what: str, kind: str, cloth: str | None, draft: str) -> tuple[tuple[s
         return (("neck cord",),) if draft in _HOODED else (("drawstring",), ("neck cord",))
     if what == "pleats":
         return (("front pleats",),) if kind in _LOWER else ()
-    if what in ("padding", "asymmetric_closing"):
+    if what in ("padding", "asymmetric_closing", "fur"):
         return ()
     return tuple([(name,) for name in TRIMS_OF.get(what, ())])
 

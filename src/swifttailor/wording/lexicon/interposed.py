@@ -74,7 +74,10 @@ def colors_first(tokens: Sequence[Token], known: Vocabulary) -> list[Token]:
                 continue
             if _names(known.find(before[-1:])) or _names(known.find([*colored, noun])):
                 continue
-            if _is_color(moved[begin : spans[0]], known) or any(_OWNED.search(word) for word in before):
+            # "Dark green" is one colour; "hi vis" of "hi vis orange" is of the jacket that is so called.
+            if len(before) == 1 and _is_color(moved[begin : spans[0]], known):
+                continue
+            if any(_OWNED.search(word) for word in before):
                 continue
             if _names(known.find([*before, noun])) and _names(known.find([noun])):
                 color = moved[k : spans[0]]
