@@ -109,9 +109,19 @@ class NamedDraft:
 
     @property
     def kind(self) -> str:
-        """Of what is cut from it: a cape that ends near the waist is worn like a top."""
+        """Of what is cut from it.
+
+        A cape that ends near the waist is worn like a top, dungarees without a bib are trousers.
+        """
+        if self.is_without_bib:
+            return _WITHOUT_BIB[self.name][0]
         length = float(dict(self.options).get("length", _SHORT_CAPE_CM))
         return "top" if self.name == "cape" and length < _SHORT_CAPE_CM else DRAFT_KINDS[self.name]
+
+    @property
+    def is_without_bib(self) -> bool:
+        """Whether straps alone hold it, as braces, or a waistband."""
+        return self.name in _WITHOUT_BIB and ("bib", False) in self.options
 
     @property
     def shows(self) -> tuple[str, ...]:
@@ -119,7 +129,7 @@ class NamedDraft:
         closed = self.name == "cape" and dict(self.options).get("front") == "closed"
         opens = self.name == "turtleneck" and dict(self.options).get("opening", 0.0)
         collar = _COLLARS_SHOW.get(str(dict(self.options).get("collar", "")))
-        shown = DRAFTS_SHOW.get(self.name, ())
+        shown = _BRACES_SHOW[self.name] if self.is_without_bib else DRAFTS_SHOW.get(self.name, ())
         if collar is not None:
             shown = (*[key for key in shown if key not in _COLLAR_KEYS], *collar)
         stretches = bool(dict(self.options).get("stretch", self.name in STRETCHING))
@@ -162,6 +172,8 @@ class NamedDraft:
             )
         bib = _OF_BIBS if self.name in ("dungarees", "pinafore", "apron") else ()
         bib = (*bib, *(_OF_CROSSED if dict(self.options).get(CROSSED) else ()))
+        if self.is_without_bib:
+            bib = tuple([("kind", kind) for kind in _WITHOUT_BIB[self.name]])
         broad = (("straps", "wide"),) if bib and STRAP_WIDTH in dict(self.options) else ()
         high = (("slit_size", "high"),) if float(dict(self.options).get(SIDE_SLITS, 0.0)) >= HIGH_CM else ()
         wings = _OF_WINGS if dict(self.options).get(ARMHOLE) == "cut-in-one" else ()
@@ -270,6 +282,10 @@ _OF_ARCS = (("hem_shape", "scalloped"),)
 _OF_CLINGING = (("skirt", "pencil"), ("skirt", "straight"), ("hips", "close"), ("bodice", "darted"))
 """Cloth that stretches over the body follows it without darts."""
 _OF_SLITS = (("slit", "left"), ("slit", "right"))
+_WITHOUT_BIB = {"dungarees": ("trousers", "shorts"), "pinafore": ("skirt",), "apron": ("skirt",)}
+"""Kinds that drafts with a bib are without it."""
+_BRACES_SHOW = {"dungarees": ("suspenders",), "pinafore": ("suspenders",), "apron": ("apron",)}
+"""What drafts with a bib show without it."""
 _OF_BIBS = (("fit", "loose"), ("fit", "easy"), ("fit", "oversized"))
 """Nothing goes around the chest of what has a bib."""
 HIGH_CM = 26.0
