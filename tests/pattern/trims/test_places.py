@@ -73,6 +73,7 @@ SHOULD_HAVE = {
     "lace trim": (*SKIRTS, *DRESSES, "camisole"),
     "neck lace": (*DRESSES, "t-shirt", "shirt", "camisole", "slip-dress"),
     "side stripes": (*TROUSERS, *SKIRTS[:2], "leggings", "jumpsuit", "shift-dress", "t-shirt"),
+    "satin stripes": (*TROUSERS, "leggings", "jumpsuit"),
     "sleeve stripes": ("t-shirt", "bomber-jacket", "sweatshirt", "hoodie"),
     "three side stripes": (*TROUSERS, "leggings", "jumpsuit", "t-shirt"),
     "three sleeve stripes": ("t-shirt", "bomber-jacket", "sweatshirt", "hoodie", "denim-jacket"),

@@ -86,6 +86,7 @@ _PLACES: Mapping[str, Callable[[Chalk, str], list[Trim]]] = {
     "lace trim": decorations.edging,
     "neck lace": decorations.neck_lace,
     "side stripes": side_stripes,
+    "satin stripes": side_stripes,
     "sleeve stripes": sleeve_stripes,
     "three side stripes": three_side_stripes,
     "three sleeve stripes": three_sleeve_stripes,

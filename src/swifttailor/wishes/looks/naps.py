@@ -21,7 +21,7 @@ _VELVET = re.compile(
 _NOT_VELVET = re.compile(r"cord|côtelé|ribbed", re.IGNORECASE)
 _GLITTER = re.compile(r"sequin|glitt?er|sparkl|pailletten|lentejuela|paillette|spangl", re.IGNORECASE)
 _METAL = re.compile(
-    r"metallic|metallics|lam[eé]|foil|liquid (?:gold|silver)|chrome|holographic|iridescent|metallisch"
+    r"metallic|metallics|\blam[eé]|foil|liquid (?:gold|silver)|chrome|holographic|iridescent|metallisch"
     r"|métallisé|hologram",
     re.IGNORECASE,
 )

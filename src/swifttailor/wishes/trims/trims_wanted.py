@@ -37,7 +37,7 @@ TRIMS_OF: Mapping[str, tuple[str, ...]] = {
     "ties": ("tie belt", "neck bow", "waist bow", "shoulder bows", "back bow", "back ties"),
     "braid": ("edging", "piping", "bands"),
     "lace": ("lace trim", "neck lace"),
-    "side_stripes": ("side stripes", "sleeve stripes", *THREE),
+    "side_stripes": ("side stripes", "satin stripes", "sleeve stripes", *THREE),
     "side_panels": ("side panels",),
     "frills": _FRILLS,
     "lacing": ("lacing",),
