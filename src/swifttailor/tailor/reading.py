@@ -157,7 +157,9 @@ class Wanted:
         """Whether there is a text and nothing was understood of it for certain."""
         clothed = self.heard.color or self.heard.print or self.heard.plain or self.heard.cloth
         clothed = clothed or self.heard.looks
-        named = any(gain.claim.name == "kind" for gain in self.shown)  # by a draft that is of that kind
+        named = any(
+            isinstance(each, Gain) and each.claim.name == "kind" for each in self.shown
+        )  # by a draft that is of that kind
         return self.leaves_cut and not clothed and not named
 
     @property

@@ -234,7 +234,7 @@ def _worn_badly(answer: Answer, sewer: Sewer) -> tuple[str, ...]:
     if not isinstance(answer.prepared, Prepared):
         return ()
     tight = (TIGHT,) if is_too_tight(answer.prepared) else ()
-    if answer.drafted is not None and answer.drafted.draft.is_without_bib:  # braces are worn over a shirt
+    if answer.drafted is not None and answer.drafted.draft.without_bib:  # braces are worn over a shirt
         return tight
     return (*tight, BARE) if bares_bust(answer.prepared, sewer.body) else tight
 
