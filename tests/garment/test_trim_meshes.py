@@ -48,6 +48,7 @@ FLAT = (
     "armhole ribs",
     "hem rib",
     "side stripes",
+    "satin stripes",
     "sleeve stripes",
     "sleeve turn-ups",
 )

@@ -176,6 +176,8 @@ def test_a_spiral_goes_through_colours_that_divide_its_six():
         ("sparkly pink party dress", "sequins"),
         ("burgundy velvet dress", "pile"),
         ("metallic gold skirt", "foil"),
+        ("a gold lamé top", "foil"),
+        ("red flamenco skirt", None),
         ("brown fur coat", "fur"),
         ("corduroy skirt", None),
         ("flamenco dress", None),  # which has "lame" in it

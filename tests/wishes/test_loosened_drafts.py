@@ -26,6 +26,8 @@ EASY, LOOSE = Claim("fit", "easy"), Claim("fit", "loose")
             LOOSE,
             "shift-dress(length=60;chest_ease=15;flare=24;neck_widening=1.5;sleeves=true)",
         ),
+        ("jumpsuit(leg_ease=40)", LOOSE, "jumpsuit(leg_ease=40;bust_ease=16;waist_ease=14)"),
+        ("jumpsuit(stretch=8)", LOOSE, "jumpsuit(stretch=8)"),
         ("turtleneck(chest_ease=8)", LOOSE, "turtleneck(chest_ease=8)"),
         ("fitted-dress(skirt_length=44)", LOOSE, "fitted-dress(skirt_length=44)"),
         ("leggings(stretch=8)", LOOSE, "leggings(stretch=8)"),

@@ -48,6 +48,20 @@ def test_drafts_have_them_and_can_be_drafted(name, lack, option):
     assert with_details(plain, (), ()) == plain
 
 
+@pytest.mark.parametrize(
+    ("named", "braced", "kind"),
+    [
+        ("trousers(length=92;flare=-7)", "dungarees(bib=false;length=92;flare=-7)", "trousers"),
+        ("circle-skirt(fraction=0.5;length=44)", "pinafore(bib=false;length=44)", "skirt"),
+        ("fitted-skirt(flare=0)", "pinafore(bib=false;flare=0)", "skirt"),
+    ],
+)
+def test_what_hangs_on_braces_stays_what_it_is(named, braced, kind):
+    made = with_details(NamedDraft.parse(named), {"suspenders"}, ())
+    assert set(made.options) == set(NamedDraft.parse(braced).options)
+    assert made.kind == kind and ("kind", kind) in made.is_to_the_eye and made.shows == ("suspenders",)
+
+
 def test_sleeves_that_are_asked_to_be_puffed_do_not_trail():
     draft = NamedDraft("skater-dress", (("sleeve_shape", "puffed"), ("sleeves", True)))
     kept = with_details(draft, ["trailing_sleeves"], [Claim("sleeve_shape", "puffed")])

@@ -9,7 +9,7 @@ from swifttailor.wording import read_words
 
 
 @pytest.mark.parametrize(
-    "text", ["a satin blouse", "robe longue en satin", "a charmeuse skirt", "slip dress"]
+    "text", ["a satin blouse", "robe longue en satin", "a charmeuse skirt", "slip dress", "bias cut skirt"]
 )
 def test_satin_shines(text):
     assert is_satin(read_words(text))

@@ -16,6 +16,8 @@ from swifttailor.wishes.text.text_as_read import text_as_read
         ("2. no hood 1. high collar", "2. no hood 1. high collar"),
         ("loger slevs", "longer sleeves"),
         ("I leave the rest, i.e. at the waist", "I leave the rest, that is at the waist"),
+        ("a gown for the hospital", "a hospital gown"),
+        ("a dress for a night out", "a dress for a night out"),
         ("sleeves, e.g. puffed", "sleeves, for example puffed"),
     ],
 )

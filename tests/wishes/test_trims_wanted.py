@@ -70,7 +70,7 @@ def test_what_is_wanted_first(text, kind, first):
         ("formal trousers", {"side pockets", "fly", "creases"}),
         ("a cheongsam", {"diagonal closing"}),
         ("corset top", {"lacing", "boning"}),
-        ("tuxedo trousers", {"side stripes"}),
+        ("tuxedo trousers", {"satin stripes"}),
         ("henley", {"polo placket"}),
         ("half zip running top", {"half zip"}),
         ("cargo skirt", {"cargo pockets", "patch pockets"}),
@@ -191,7 +191,7 @@ def test_edging_is_put_on_unasked_where_the_tables_give_it_to_a_name():
     assert edged.choices[0] == ("edging",) and not edged.said
     assert "braid" not in {wish.what for wish in trims_wanted(heard("uniform trousers"), kind="trousers")}
     (striped,) = trims_wanted(heard("tuxedo trousers"), kind="trousers")
-    assert striped.choices[0] == ("side stripes",)
+    assert striped.choices[0] == ("satin stripes",)
 
 
 @pytest.mark.parametrize(

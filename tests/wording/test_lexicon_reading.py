@@ -468,7 +468,17 @@ def test_a_small_detail_is_no_size_of_clothes(text, sizes):
         ("drop-waist tennis dress", "drop-waist-dress", {"skirt_hem=knee"}),
         ("salwar kameez", "shift-dress", {"skirt_hem=knee", "slit=left"}),
         ("yukata", "robe", {"sleeves=long", "sleeve_shape=wide"}),
-        ("Wickelhose", "trousers", {"legs=wide"}),
+        ("Wickelhose", "pull-on-trousers", {"legs=wide"}),
+        ("suspender skirt", "pinafore", {"kind=skirt"}),
+        ("bistro apron", "apron", {"kind=skirt"}),
+        ("lederhosen", "dungarees", {"kind=shorts", "leg_hem=knee"}),
+        ("skort", "circle-skirt", {"kind=skirt", "skirt_hem=mini"}),
+        ("boho skirt", "tiered-skirt", {"skirt=tiered", "skirt_hem=maxi"}),
+        ("thigh slit skirt", "fitted-skirt", {"slit=left", "slit_size=high"}),
+        ("front slit skirt", "fitted-skirt", {"slit=front"}),
+        ("high waisted jeans", "trousers", {"rise=high"}),
+        ("riding breeches", "jeans", {"legs=slim"}),
+        ("jorts", "trousers", {"leg_hem=knee", "hips=loose"}),
     ],
 )
 def test_names_begin_from_what_they_look_like(text, draft, claims):

@@ -73,6 +73,8 @@ felpa grigia oversize col cappuccio | grigia |
 schwarzes Kleid mit weißem Kragen | schwarzes | collar weißem
 Kleid mit Ärmeln aus Spitze | | sleeves lace
 beige linnen broek met wijde pijpen | beige |
+navy trousers with red braces | navy | bodice red
+white shirt with red braces | white | - red
 """
 ROWS = [tuple(cell.strip() for cell in row.split("|")) for row in TABLE.strip().splitlines()]
 

@@ -92,7 +92,10 @@ TRIMS_OF_PARTS: Mapping[str, tuple[str, ...]] = {
     "frills": ("neck frill", "sleeve frills", "hem frill", "front frills", "yoke frill"),
     "fringe": ("hem fringe",),
     "edging": ("edging", "piping", "bands", "lace trim", "neck lace", "fur trim", "neck fur", "sleeve fur"),
-    "side_stripes": ("side stripes", "sleeve stripes", "three side stripes", "three sleeve stripes"),
+    "side_stripes": (
+        *("side stripes", "satin stripes", "sleeve stripes"),
+        *("three side stripes", "three sleeve stripes"),
+    ),
     "side_panels": ("side panels",),
     "bow": ("neck bow", "waist bow", "shoulder bows", "back bow", "back ties"),
     "lacing": ("lacing", "back lacing"),

@@ -48,6 +48,7 @@ _IN_ANOTHER: Mapping[str, tuple[str, str]] = {
     "side panels": ("#f3efe6", "#26324a"),
     **dict.fromkeys(("side stripes", "sleeve stripes"), ("#f3efe6", "#26324a")),
     **dict.fromkeys(("three side stripes", "three sleeve stripes"), ("#f3efe6", "#26324a")),
+    "satin stripes": ("#4a4c53", "#26324a"),
     "reflecting bands": ("#d5d9dc", "#b4bac0"),
 }
 """What is of another colour than the cloth, where none is told: on darker cloth, and on light cloth."""

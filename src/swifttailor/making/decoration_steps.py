@@ -39,6 +39,7 @@ _TITLES: Mapping[str, str] = {
     "neck fur": "Fur at the neck or hood",
     "sleeve fur": "Fur at the ends of the sleeves",
     "side stripes": "Stripes down the sides",
+    "satin stripes": "Satin stripes",
     "sleeve stripes": "Stripes down the sleeves",
 }
 _RIPS = (
@@ -228,7 +229,7 @@ def _frill(frill: Frill) -> str:
             f"Cut the sleeves {2 * frill.depth:.0f} cm longer. Fold {frill.depth:.0f} cm of each end up "
             "twice to the outside, press, and catch the fold at the seam."
         )
-    if frill.trim in ("side stripes", "sleeve stripes"):
+    if frill.trim in ("side stripes", "satin stripes", "sleeve stripes"):
         return (
             f"Sew ribbon {2 * frill.depth:.1f} cm wide over the seams, {length:.0f} cm in all, along both of "
             "its edges, before what lies across its ends is sewn."

@@ -157,7 +157,10 @@ class Wanted:
         """Whether there is a text and nothing was understood of it for certain."""
         clothed = self.heard.color or self.heard.print or self.heard.plain or self.heard.cloth
         clothed = clothed or self.heard.looks
-        return self.leaves_cut and not clothed
+        named = any(
+            isinstance(each, Gain) and each.claim.name == "kind" for each in self.shown
+        )  # by a draft that is of that kind
+        return self.leaves_cut and not clothed and not named
 
     @property
     def kind_is_guessed(self) -> bool:

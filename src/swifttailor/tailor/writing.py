@@ -234,6 +234,8 @@ def _worn_badly(answer: Answer, sewer: Sewer) -> tuple[str, ...]:
     if not isinstance(answer.prepared, Prepared):
         return ()
     tight = (TIGHT,) if is_too_tight(answer.prepared) else ()
+    if answer.drafted is not None and answer.drafted.draft.without_bib:  # braces are worn over a shirt
+        return tight
     return (*tight, BARE) if bares_bust(answer.prepared, sewer.body) else tight
 
 

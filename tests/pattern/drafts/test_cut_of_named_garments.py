@@ -142,6 +142,25 @@ def test_a_bib_and_its_straps_are_sewn_to_the_waistband(name, strap):
     assert Claim("sleeves", "none").holds(facts) and Claim("neckline", "square").holds(facts)
 
 
+@pytest.mark.parametrize("name", ["dungarees", "pinafore"])
+def test_without_a_bib_straps_alone_hold_the_waistband(name):
+    pattern = draft(name, bib=False, strap_width=3.0)
+    for side in ("left", "right"):
+        for face, band in (("f", "wb_front"), ("b", "wb_back")):
+            sewn = seam_length(pattern, f"{side}_{face}torso", band)
+            assert sewn == pytest.approx((3.0, 3.0), rel=1e-3)
+    joined = {frozenset(side.panel for side in s.sides) for s in pattern.stitches}
+    assert frozenset({"left_ftorso", "right_ftorso"}) not in joined
+
+
+def test_an_apron_without_a_bib_has_cloth_in_front_alone():
+    assert {panel.name for panel in draft("apron", bib=False).panels} == {
+        "wb_front",
+        "wb_back",
+        "skirt_front",
+    }
+
+
 @pytest.mark.parametrize("name", ["bodysuit", "swimsuit"])
 def test_one_pieces_are_cut_out_over_the_legs(name):
     heights = [2.0, 8.0]

@@ -76,6 +76,7 @@ SHOULD_HAVE = {
     "neck fur": ("hoodie", "coat", "shirt"),
     "sleeve fur": ("coat", "t-shirt"),
     "side stripes": (*TROUSERS, *SKIRTS[:2], "leggings", "jumpsuit", "shift-dress", "t-shirt"),
+    "satin stripes": (*TROUSERS, "leggings", "jumpsuit"),
     "sleeve stripes": ("t-shirt", "bomber-jacket", "sweatshirt", "hoodie"),
     "three side stripes": (*TROUSERS, "leggings", "jumpsuit", "t-shirt"),
     "three sleeve stripes": ("t-shirt", "bomber-jacket", "sweatshirt", "hoodie", "denim-jacket"),

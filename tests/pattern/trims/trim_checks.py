@@ -33,7 +33,7 @@ def assert_on_panels(pattern: Pattern, trims: tuple[Trim, ...]) -> None:
             continue
         if isinstance(trim, Frill | Stirrup):
             sewn = {side for stitch in pattern.stitches for side in stitch.sides}
-            free = trim.trim not in ("side stripes", "sleeve stripes", "front frills")
+            free = trim.trim not in ("side stripes", "satin stripes", "sleeve stripes", "front frills")
             assert trim.edges and (not free or not sewn & set(trim.edges)), "frills are sewn to free edges"
             assert len(set(trim.edges)) == len(trim.edges) and all(map(pattern.has_edge, trim.edges))
             assert 0 < (trim.depth if isinstance(trim, Frill) else trim.width) < 20, trim

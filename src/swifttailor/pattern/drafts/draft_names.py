@@ -6,6 +6,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Literal
 
+from swifttailor.pattern.drafts.without_bib import SHOWN_WITHOUT_BIB, WITHOUT_BIB
+
 DraftKind = Literal["top", "dress", "jumpsuit", "trousers", "skirt"]
 
 DRAFT_KINDS: Mapping[str, DraftKind] = {
@@ -109,9 +111,16 @@ class NamedDraft:
 
     @property
     def kind(self) -> str:
-        """Of what is cut from it: a cape that ends near the waist is worn like a top."""
+        """Of what is cut from it: a short cape is worn like a top, dungarees without a bib are trousers."""
+        if self.without_bib:
+            return self.without_bib[0]
         length = float(dict(self.options).get("length", _SHORT_CAPE_CM))
         return "top" if self.name == "cape" and length < _SHORT_CAPE_CM else DRAFT_KINDS[self.name]
+
+    @property
+    def without_bib(self) -> tuple[str, ...]:
+        """Kinds that it is where straps alone hold it, or a waistband; empty of others."""
+        return WITHOUT_BIB.get(self.name, ()) if ("bib", False) in self.options else ()
 
     @property
     def shows(self) -> tuple[str, ...]:
@@ -119,7 +128,7 @@ class NamedDraft:
         closed = self.name == "cape" and dict(self.options).get("front") == "closed"
         opens = self.name == "turtleneck" and dict(self.options).get("opening", 0.0)
         collar = _COLLARS_SHOW.get(str(dict(self.options).get("collar", "")))
-        shown = DRAFTS_SHOW.get(self.name, ())
+        shown = SHOWN_WITHOUT_BIB[self.name] if self.without_bib else DRAFTS_SHOW.get(self.name, ())
         if collar is not None:
             shown = (*[key for key in shown if key not in _COLLAR_KEYS], *collar)
         stretches = bool(dict(self.options).get("stretch", self.name in STRETCHING))
@@ -162,6 +171,7 @@ class NamedDraft:
             )
         bib = _OF_BIBS if self.name in ("dungarees", "pinafore", "apron") else ()
         bib = (*bib, *(_OF_CROSSED if dict(self.options).get(CROSSED) else ()))
+        bib = tuple([("kind", kind) for kind in self.without_bib]) or bib
         broad = (("straps", "wide"),) if bib and STRAP_WIDTH in dict(self.options) else ()
         high = (("slit_size", "high"),) if float(dict(self.options).get(SIDE_SLITS, 0.0)) >= HIGH_CM else ()
         wings = _OF_WINGS if dict(self.options).get(ARMHOLE) == "cut-in-one" else ()

@@ -93,6 +93,7 @@ _PLACES: Mapping[str, Callable[[Chalk, str], list[Trim]]] = {
     "neck fur": neck_fur,
     "sleeve fur": sleeve_fur,
     "side stripes": side_stripes,
+    "satin stripes": side_stripes,
     "sleeve stripes": sleeve_stripes,
     "three side stripes": three_side_stripes,
     "three sleeve stripes": three_sleeve_stripes,

@@ -14,6 +14,7 @@ from swifttailor.wishes.drafts.asked_hems import hem_as_asked
 from swifttailor.wishes.drafts.bubble_hems import bubble_as_asked
 from swifttailor.wishes.drafts.clinging_drafts import STRETCH, clinging_as_asked
 from swifttailor.wishes.drafts.close_wraps import wrapped_close_as_asked
+from swifttailor.wishes.drafts.close_skirts import close_skirt_as_asked
 from swifttailor.wishes.drafts.drafts_as_asked import draft_as_asked
 from swifttailor.wishes.drafts.drafts_of_names import covers, draft_of_kind, draft_of_name
 from swifttailor.wishes.drafts.godets_as_asked import godets_as_asked
@@ -66,6 +67,8 @@ _CUT_AS = {"tunic": "top", "shorts": "trousers", "playsuit": "jumpsuit"}
 _FLARED, _STRAIGHT = Claim("skirt", "flared"), Claim("skirt", "straight")
 _WHATEVER = NamedDraft("t-shirt", (("neck_widening", 0.7), ("chest_ease", 8.0), ("waist_shaping", 1.0)))
 _CLOSE = frozenset({Claim("fit", "close"), Claim("hips", "close")})
+_OF_MOODS = frozenset({Claim("sleeves", "long"), Claim("fit", "close")})
+"""What words of fits that name a mood make likely, and a draft is to have: a modest dress, a sexy one."""
 _KNITTED, _CORDUROY = ("jersey", "rib-knit"), "twill"
 """Fabrics that stretch, and what corduroy is made as, which has ribs and does not."""
 _COATS, _JACKETS = ("coat", "hooded-coat", "cape"), ("blazer", "turtleneck")
@@ -101,6 +104,7 @@ def drafts_of(heard: Heard) -> tuple[NamedDraft, ...]:
     long = is_long_top(heard)
     fitting = [straight_as_said(to_the_legs_as_said(d, heard.text, long=long), heard.text) for d in fitting]
     fitting = [low_as_asked(draft, sure) for draft in gored_as_said(fitting, heard.text)]
+    fitting = [close_skirt_as_asked(draft, sure, _said_claims(heard)) for draft in fitting]
     if any(claim.name == "straps" for claim in sure):
         fitting = [draft for draft in fitting if draft.name not in _STRAPLESS] or fitting
     if asks_for_mandarin_collar(entries):
@@ -140,6 +144,7 @@ def _sure_claims(heard: Heard) -> list[Claim]:
     """What is told, and what goes with it where nothing else is: bare shoulders, a neck that stands."""
     sure = _told_claims(heard)
     sure += [] if any(claim.name in _AT_SHOULDERS for claim in sure) else _likely_bare(heard)
+    sure += [claim for claim in _moods(heard) if not any(claim.name == c.name for c in sure)]
     sure += _standing_necks(heard) if not any(claim.name in _NECKS for claim in sure) else []
     sure += [_STRAIGHT] if _FLARED in heard.never and not any(c.name == "skirt" for c in sure) else []
     return sure
@@ -200,6 +205,14 @@ def _likely_bare(heard: Heard) -> list[Claim]:
     return [claim for claim in likely if claim == _BARE]
 
 
+def _moods(heard: Heard) -> list[Claim]:
+    """What such words make likely."""
+    likely = [w.change.claim for w in heard.likely if isinstance(w.change, Gain)]
+    found = () if heard.words is None else heard.words.implications
+    moods = [i.claim for i in found if i.said and any(e.category == "fits" for e in i.mark.entries)]
+    return [claim for claim in likely if claim in _OF_MOODS and claim in moods]
+
+
 def _clings(heard: Heard) -> bool:
     """Whether it is to be close, and of cloth that stretches: a skin-tight one, a close one of jersey."""
     changes = [w.change for w in (*heard.sure, *heard.likely) if isinstance(w.change, Gain)]
@@ -214,6 +227,11 @@ def _named_skirts(heard: Heard, sure: Sequence[Claim]) -> list[Claim]:
     if heard.words is None or any(claim.name in ("skirt", "hips") for claim in sure):
         return []
     return [i.claim for i in heard.words.implications if i.claim.name == "skirt" and not i.said]
+
+
+def _said_claims(heard: Heard) -> list[Claim]:
+    """What words about details say."""
+    return [] if heard.words is None else [i.claim for i in heard.words.implications if i.said]
 
 
 def _elastic(heard: Heard) -> frozenset[str]:

@@ -16,7 +16,7 @@ _LEGS: Mapping[str, Mapping[str, float]] = {
     "tapered": {"hip_ease": 9.0, "leg_ease": 12.0, "flare": -7.0},
     "slim": {"leg_ease": 6.0, "flare": -4.0},
 }
-_SHORT_CM: Mapping[str, float] = {"very short": 38.0, "thigh": 43.0, "mid-thigh": 47.0}
+_SHORT_CM: Mapping[str, float] = {"very short": 38.0, "mid-thigh": 47.0, "thigh": 53.0}
 """Length of the legs of playsuits that are asked to be so short, from the waist, cm."""
 _JOGGERS = "joggers"
 _OF_JOGGERS = ("wide", "straight", "slim")

@@ -16,6 +16,9 @@ _STRAIGHT = ("t-shirt", "tank-top", "turtleneck", "camisole", "shift-dress")
 _CLINGING_DRESS, _SKIRT_CM, _FLARE_CM = "fitted-dress", 60.0, 24.0
 _BARE_CM, _NECK_CM = 13.0, 1.5
 """Most room without sleeves, as wide armholes catch the arms, and how much wider the neck is, cm."""
+_JUMPSUIT = "jumpsuit"
+_LOOSE_JUMPSUIT: Mapping[str, float] = {"bust_ease": 16.0, "waist_ease": 14.0}
+"""Room of jumpsuits that are to be loose: widened once they are cut, their armholes gape to the waist."""
 _KEPT = ("neckline", "neck_widening", "neck_depth", "sleeves", "sleeve_length", "sleeve_end")
 """Options of fitted dresses that those without a waist have as well."""
 
@@ -26,7 +29,7 @@ def is_to_be_loose(claims: Sequence[Claim]) -> bool:
 
 
 def loosened_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
-    """A draft that hangs straight where its name alone would have it cling; others as they are.
+    """A draft that hangs straight where its name alone would have it cling, or has room; others as they are.
 
     Args:
         draft: As it was asked for otherwise.
@@ -34,6 +37,9 @@ def loosened_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     """
     room = _room(claims)
     options = dict(draft.options)
+    if draft.name == _JUMPSUIT and room == _ROOM_CM["loose"] and not options.get(STRETCH):
+        told = {name: max(own, float(options.get(name, own))) for name, own in _LOOSE_JUMPSUIT.items()}
+        return replace(draft, options=tuple({**options, **told}.items()))
     if room is None or not (options.get(STRETCH) or options.get(SHAPING)):
         return draft
     if draft.name == _CLINGING_DRESS and options.get(STRETCH):

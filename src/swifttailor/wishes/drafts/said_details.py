@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
 from dataclasses import replace
 
 from swifttailor.describing.claims import Claim
@@ -23,6 +23,14 @@ _SLITS_CM = (9.0, 7.0, 16.0)
 """Length of the slits of shorts, of legs that end at the calf, and of long ones."""
 _RISE_CM = 4.0
 """How much higher a waistband is in the middle of the back."""
+BRACES = "suspenders"
+"""Key of ``cannot.txt`` that straps over the shoulders show."""
+_BRACED: Mapping[str, tuple[str, tuple[str, ...]]] = {
+    "trousers": ("dungarees", ("length", "hip_ease", "leg_ease", "flare")),
+    "circle-skirt": ("pinafore", ("length",)),
+    "fitted-skirt": ("pinafore", ("length", "hip_ease", "flare")),
+}
+"""Drafts that may hang on braces, as what they are cut then, and the options that this has as well."""
 _BIBBED = ("dungarees", "pinafore", "apron")
 _LOOSE = frozenset({Claim("fit", "loose"), Claim("fit", "oversized"), Claim("legs", "wide")})
 _DUNGAREES, _ROOMY = "dungarees", {"hip_ease": 14.0, "leg_ease": 30.0, "flare": 2.0, "crotch_drop": 4.0}
@@ -61,6 +69,8 @@ def with_details(draft: NamedDraft, lacks: Collection[str], claims: Collection[C
     if draft.name == _DUNGAREES and not options.get("stretch") and not _LOOSE.isdisjoint(claims):
         short = float(options.get("length", _CALF_CM)) <= _SHORT_CM
         more |= {name: max(own, float(options.get(name, own))) for name, own in _ROOMY.items() if not short}
+    if BRACES in lacks and draft.name in _BRACED:
+        return _on_braces(draft)
     beyond = [reach for what, reach in _BEYOND.items() if what in lacks]
     if beyond and draft.name in _SHOULDERED:
         more[_EXTENSION] = max([*beyond, float(options.get(_EXTENSION, 0.0))])
@@ -75,3 +85,10 @@ def with_details(draft: NamedDraft, lacks: Collection[str], claims: Collection[C
         more |= {"cuffs": False} if draft.name == "shirt-dress" else {}
         more["arm_ease"] = min(float(options.get("arm_ease", 8.0)), 16.0)
     return replace(draft, options=tuple({**options, **more}.items())) if more else draft
+
+
+def _on_braces(draft: NamedDraft) -> NamedDraft:
+    """The same garment, its waistband held by straps over the shoulders."""
+    name, kept = _BRACED[draft.name]
+    own = [option for option in draft.options if option[0] in kept]
+    return NamedDraft(name, (("bib", False), *own))

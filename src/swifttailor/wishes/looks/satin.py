@@ -17,6 +17,9 @@ _SHINING = (
     "shiny",
     "lustrous",
     "slip dress",
+    "slip skirt",
+    "bias skirt",
+    "bias cut skirt",
 )
 """Words, or parts of them, that such cloth is named by."""
 _DULL = ("raw silk", "washed", "matt", "matte", "crepe", "crêpe")

@@ -28,7 +28,8 @@ _REACHES = re.compile(
     rf"(the|my|her|his|their|your) ({_LEVELS})(?!\w)",
     re.IGNORECASE,
 )
-_OF = re.compile(r"(?<!\w)([^\W\d_]+) (?:of|for)(?: the| an?)? ([^\W\d_]+)(?!\w)")
+_OF = re.compile(r"(?<!\w)([^\W\d_]+) (?:of|for)(?: the| an?)? ([^\W\d_]+)(?!\w)(?! (?:out|away|off)(?!\w))")
+"""What a garment is of or for; a dress for a night out is no night dress."""
 
 _FROM = re.compile(
     r"(?<!\w)([^\W\d_]+) (?:from|in|out of|as in|like in|of)(?: the)?(?: (?:film|movie|show|series))?"

@@ -7,9 +7,10 @@ from collections.abc import Mapping, Sequence
 
 _THREE: Mapping[str, str] = {
     "side stripes": "three side stripes",
+    "satin stripes": "three side stripes",
     "sleeve stripes": "three sleeve stripes",
 }
-THREE = tuple(_THREE.values())
+THREE = tuple(dict.fromkeys(_THREE.values()))
 """The trims that are three stripes, side by side."""
 _SAID = re.compile(
     r"(?<![\w-])(?:three|3|triple|drei|trois|tres|tre|três|drie)[ -]?"

@@ -38,7 +38,7 @@ TRIMS_OF: Mapping[str, tuple[str, ...]] = {
     "braid": ("edging", "piping", "bands"),
     "lace": ("lace trim", "neck lace"),
     "fur": ("neck fur", "fur trim", "sleeve fur"),
-    "side_stripes": ("side stripes", "sleeve stripes", *THREE),
+    "side_stripes": ("side stripes", "satin stripes", "sleeve stripes", *THREE),
     "side_panels": ("side panels",),
     "frills": _FRILLS,
     "lacing": ("lacing",),

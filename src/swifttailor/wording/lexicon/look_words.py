@@ -5,6 +5,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from swifttailor.wording.lexicon.reading import WordMark
 
 _KNITS = frozenset({"jersey", "rib-knit", "sweatshirt", "ponte", "fleece"})
@@ -32,6 +34,8 @@ PUT_ON = {
 """By key of what cannot be made of panels, what is put on for it."""
 _PARTS_OF_WHOLE = {"skirt": "skirt", "trousers": "legs", "shorts": "legs", "top": "bodice", "tunic": "bodice"}
 """Kinds that are named as a part of another: "a dress with a tulle skirt"."""
+
+_LOWER = frozenset({"trousers", "shorts", "skirt"})
 
 
 def category_of(mark: WordMark) -> str:
@@ -94,3 +98,15 @@ def is_way_of_cutting(mark: WordMark) -> bool:
 def is_detail(mark: WordMark) -> bool:
     """Whether it is a thing of its own on a garment that cannot be made: piping, a bow."""
     return any(entry.cannot for entry in mark.entries)
+
+
+def holds_up(mark: WordMark, marks: Sequence[WordMark]) -> bool:
+    """Whether it is the braces of trousers or of a skirt, which have no other bodice.
+
+    Args:
+        mark: A noun.
+        marks: Of the text.
+    """
+    kinds = {kind for own in marks if own.role == "garment" for entry in own.entries for kind in entry.kinds}
+    braces = mark.role != "garment" and any("suspenders" in entry.cannot for entry in mark.entries)
+    return braces and bool(kinds) and kinds <= _LOWER

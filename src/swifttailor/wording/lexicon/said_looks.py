@@ -20,6 +20,7 @@ from swifttailor.wording.lexicon.look_words import (
     STRIPES,
     category_of,
     contrasting,
+    holds_up,
     is_cloth,
     is_detail,
     is_look,
@@ -367,6 +368,8 @@ class _Reader:
         if category_of(mark) in ("garments", "accessories"):
             if self._is_worn_over(mark):
                 return PUT_ON["apron"]
+            if holds_up(mark, self._marks):
+                return "bodice"
             apart = mark.role in ("second", "theirs") and not is_outfit(mark)
             return part_of_garment(mark) or ("" if apart else None)
         over = put_on(mark)

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import Annotated
 
 from swifttailor.pattern.drafts import declared
+from swifttailor.pattern.drafts.band import lay_body_waist_band
 from swifttailor.pattern.drafts.bib_bodice import Bib, lay_bib, sew_bib
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure
@@ -33,6 +34,9 @@ class BibOptions:
     ] = 4.0
     band_height: declared.BandHeight = 4.0
     crossed: Annotated[bool, Option("Cross the straps behind.")] = False
+    bib: Annotated[
+        bool, Option("A bib in front; without it straps alone, as braces, and of aprons none.")
+    ] = True
 
 
 @dataclass(frozen=True)
@@ -58,7 +62,7 @@ def draft_dungarees(options: DungareesOptions, measurements: Measurements) -> Pa
     table.mirror()
     sew_legs(table)
     sew_trousers_to_band(table)
-    sew_bib(table, crossed=options.crossed)
+    sew_bib(table, crossed=options.crossed, bib=options.bib)
     return table.finish()
 
 
@@ -87,7 +91,7 @@ def draft_pinafore(options: PinaforeOptions, measurements: Measurements) -> Patt
         skirt = FittedSkirt(options.length, options.hip_ease, options.flare)
         lay_fitted_skirt(table, figure, skirt, lower, top)
         sew_skirt_to_band(table, SKIRT_HALVES)
-    sew_bib(table, crossed=options.crossed)
+    sew_bib(table, crossed=options.crossed, bib=options.bib)
     return table.finish()
 
 
@@ -105,7 +109,10 @@ def draft_apron(options: ApronOptions, measurements: Measurements) -> Pattern:
     """Drafts the apron for a body: a bib, straps, a band all around, and cloth in front alone."""
     figure = Figure.of(measurements)
     table = CuttingTable("apron")
-    lower = lay_bib(table, figure, _bib(options))
+    if options.bib:
+        lower = lay_bib(table, figure, _bib(options))
+    else:
+        lower = lay_body_waist_band(table, figure, options.band_height, options.waist_ease)
     table.mirror()
     top, low = figure.waist_y - options.band_height, figure.waist_y - options.length
     half = lower.front
@@ -114,11 +121,17 @@ def draft_apron(options: ApronOptions, measurements: Measurements) -> Pattern:
     outline.line("right_edge", -half - options.wider, low)
     table.lay("skirt_front", outline.closed(), label="leg", at=(0.0, 0.0, SKIRT_FRONT_Z))
     table.seam("wb_front.bottom", "skirt_front.waist")
-    sew_bib(table, crossed=options.crossed)
+    if options.bib:
+        sew_bib(table, crossed=options.crossed)
     return table.finish()
 
 
 def _bib(options: BibOptions) -> Bib:
     return Bib(
-        options.strap_width, options.bib_height, options.waist_ease, options.band_height, options.crossed
+        strap=options.strap_width,
+        over_bust=options.bib_height,
+        waist_ease=options.waist_ease,
+        band_height=options.band_height,
+        crossed=options.crossed,
+        bib=options.bib,
     )
