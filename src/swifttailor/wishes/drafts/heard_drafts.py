@@ -13,8 +13,8 @@ from swifttailor.wishes.drafts.armholes_as_asked import armholes_as_asked
 from swifttailor.wishes.drafts.asked_hems import hem_as_asked
 from swifttailor.wishes.drafts.bubble_hems import bubble_as_asked
 from swifttailor.wishes.drafts.clinging_drafts import STRETCH, clinging_as_asked
-from swifttailor.wishes.drafts.close_wraps import wrapped_close_as_asked
 from swifttailor.wishes.drafts.close_skirts import close_skirt_as_asked
+from swifttailor.wishes.drafts.close_wraps import wrapped_close_as_asked
 from swifttailor.wishes.drafts.drafts_as_asked import draft_as_asked
 from swifttailor.wishes.drafts.drafts_of_names import covers, draft_of_kind, draft_of_name
 from swifttailor.wishes.drafts.godets_as_asked import godets_as_asked
