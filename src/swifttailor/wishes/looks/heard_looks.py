@@ -9,6 +9,7 @@ from types import MappingProxyType
 from swifttailor.garment.cloth_print import ClothPrint
 from swifttailor.garment.part_looks import OPACITIES, PARTS, SEVERAL_LAYERS, PartLook, merged
 from swifttailor.wording.lexicon import NamedColor, SaidLook
+from swifttailor.wording.lexicon.color_names import color_name
 
 _LINED = frozenset({"lace", "tulle", "chiffon", "organza"})
 """Sheer cloths that whole garments of some kinds are made of on a lining."""
@@ -90,7 +91,13 @@ def heard_looks(
         else:
             found, lining = _of_part(found, look, general)
             assumed += lining
-    names = {f"#{look.color.rgb}": look.color.words.lower() for look in said if look.color is not None}
+            if not look.said and look.color is not None:
+                assumed.append(f"{look.part.replace('_', ' ')} in {color_name(look.color.rgb)}")
+    names = {
+        f"#{look.color.rgb}": look.color.words.lower()
+        for look in said
+        if look.color is not None and look.color.words
+    }
     return HeardLooks(
         tuple(found),
         tuple(dict.fromkeys(refused)),
