@@ -88,6 +88,7 @@ TRIMS: Mapping[str, str] = {
     "reflecting bands": "two bands of reflecting tape",
     "asymmetric zip": "a zip aslant across the front",
     "storm flap": "a flap over the right shoulder",
+    "shoulder drape": "cloth drawn over the left shoulder",
 }
 """By name, what each is for people. None joins panels, so none changes how a garment is cut or hangs."""
 LIKE_EACH_OTHER = (

@@ -27,6 +27,7 @@ from swifttailor.pattern.trims.knee_patches import knee_patches
 from swifttailor.pattern.trims.reflecting_bands import reflecting_bands
 from swifttailor.pattern.trims.rips import frayed_hem, rips
 from swifttailor.pattern.trims.shapes import Trim
+from swifttailor.pattern.trims.shoulder_drape import shoulder_drape
 from swifttailor.pattern.trims.side_panels import side_panels
 from swifttailor.pattern.trims.side_stripes import (
     side_stripes,
@@ -118,6 +119,7 @@ _PLACES: Mapping[str, Callable[[Chalk, str], list[Trim]]] = {
     "reflecting bands": reflecting_bands,
     "asymmetric zip": across_front.asymmetric_zip,
     "storm flap": across_front.storm_flap,
+    "shoulder drape": shoulder_drape,
 }
 """How each of `names.TRIMS` is marked."""
 

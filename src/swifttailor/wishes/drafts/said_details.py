@@ -34,7 +34,16 @@ _NIPPED = {"waist_shaping": 3.5}
 _TRAILING, _TRAILS = "trailing_sleeves", ("sleeve_shape", "trailing")
 _MAY_TRAIL = (
     *("robe", "hooded-coat", "shift-dress", "swing-dress", "fitted-dress", "skater-dress", "shirt-dress"),
-    *("mermaid-dress", "drop-waist-dress", "t-shirt", "shirt", "turtleneck", "fitted-top", "peplum-top", "cardigan"),
+    *(
+        "mermaid-dress",
+        "drop-waist-dress",
+        "t-shirt",
+        "shirt",
+        "turtleneck",
+        "fitted-top",
+        "peplum-top",
+        "cardigan",
+    ),
 )
 _FULL_ABOVE = frozenset({Claim("sleeve_shape", "puffed"), Claim("sleeve_shape", "balloon")})
 """Who asks for these has none that trail, whatever the name of the garment means."""

@@ -52,6 +52,8 @@ _SLIM_ARM = 3.5
 """Room around the arm of sleeves that are to be close, cm."""
 _SLIM_ENDS: Mapping[float, float] = {16.0: 31.0, 22.0: 30.0, 32.0: 27.0, 44.0: 24.0, 60.0: 20.0, 66.0: 20.0}
 """Width around at their end, by their length, cm."""
+_OWN_LENGTHS: Mapping[str, float] = {"t-shirt": 22.0}
+"""From the shoulder tip, cm, of drafts with sleeves that are not long unless told."""
 _DEEP_CM = 14.0
 """Height of cuffs that are to be deep."""
 _USUAL = {"puffed": 22.0, "bell": 44.0, "balloon": 60.0, "plain": 44.0}
@@ -122,10 +124,10 @@ def _slim(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     """A draft with sleeves close to the arm, where those are asked for and nothing of their ends is told."""
     options = dict(draft.options)
     worn = draft.name in _ALWAYS or (draft.name in _SET_IN and options.get("sleeves"))
-    length = options.get("sleeve_length")
-    if _SLIM not in claims or not worn or length is None:
+    if _SLIM not in claims or not worn:
         return draft
-    nearest = min(_SLIM_ENDS, key=lambda known: abs(known - float(length)))
+    length = float(options.get("sleeve_length", _OWN_LENGTHS.get(draft.name, _LENGTHS["long"])))
+    nearest = min(_SLIM_ENDS, key=lambda known: abs(known - length))
     close = {"arm_ease": _SLIM_ARM, "sleeve_end": _SLIM_ENDS[nearest]}
     return replace(draft, options=tuple({**options, **close}.items()))
 

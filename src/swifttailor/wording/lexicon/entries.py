@@ -277,7 +277,9 @@ def _looks(row: Row) -> tuple[tuple[str, str | None], ...]:
         part = part.removesuffix(")")
         colored = len(cloth) == 6 and set(cloth) <= _HEX
         if not colored and cloth.removeprefix("lined_") not in (*OPACITIES, "contrast"):
-            row.wrong(f"look:{cloth} is none of {', '.join(OPACITIES)}, contrast, and no colour as in 1f2a44.")
+            row.wrong(
+                f"look:{cloth} is none of {', '.join(OPACITIES)}, contrast, and no colour as in 1f2a44."
+            )
         parts = PARTS if colored else PANEL_PARTS
         if part not in (parts if colored else ("", *parts)):
             row.wrong(f"look:{text}: '{part}' is none of {', '.join(parts)}.")
