@@ -157,9 +157,9 @@ _OTHERS: Mapping[str, tuple[str, str]] = {
     ),
     "shoulder drape": (
         "Cloth over the shoulder",
-        "Cut a length of cloth as wide as the marked piece at the waist and as long as it reaches, with hems. "
-        "Catch it in the seam of the waist at the right side, lay it in folds up to the left shoulder, pin it "
-        "there, and let the rest hang down the back.",
+        "Cut a length of cloth as wide as the marked piece at the waist and as long as it reaches, and hem "
+        "it. Catch it in the seam of the waist at the right side, lay it in folds up to the left shoulder, "
+        "pin it there, and let the rest hang down the back.",
     ),
     "side panels": (
         "Side panels",

@@ -1,4 +1,4 @@
-"""Cloth drawn over the left shoulder: of saris and togas, from the right side of the waist and down the back."""
+"""Cloth drawn over the left shoulder of saris and togas, from the right of the waist and down the back."""
 
 from __future__ import annotations
 
@@ -18,38 +18,38 @@ _WIDE_BELOW, _WIDE_ABOVE = 24.0, 11.0
 """How wide it is there, cm."""
 _ROWS, _LEAST, _FEWEST = 40, 0.4, 6
 """Of rows in which it is laid on a panel; how wide a row is at least, cm; and how many a piece has."""
-_INSIDE = 0.05
+_INSIDE, _BARE = 0.05, 4.0
+"""How far it stays inside of a panel; a front that ends so far below the shoulder has none to hold it, cm."""
 _FOLDS, _FOLD = (0.25, 0.5, 0.75), 0.1
 """Where its folds lie, as parts of its width, and half the width of the lines that are these, cm."""
 
 
 def shoulder_drape(chalk: Chalk, name: str) -> list[Trim]:
     """Across both fronts to the left shoulder, and from there down the back to the waist."""
-    fronts = [chalk.views.get(panel) for panel in _FRONTS]
-    left = fronts[1]
+    right, left = [chalk.views.get(panel) for panel in _FRONTS]
     back = chalk.views.get(_BACK)
-    if left is None or back is None or left.high < chalk.shoulder - 4.0 * chalk.size:
+    if left is None or back is None or left.high < chalk.shoulder - _BARE * chalk.size:
         return []
-    low = max(view.low for view in fronts if view is not None)
-    low = max(low, chalk.waist)  # below it lies cloth of the same colour
-    at_shoulder = _AT_SHOULDER * float(left.outline[left.outline[:, 1] > left.high - 6.0, 0].max())
-    widest = min((view.span(low + 0.5) or (0.0, 0.0))[0] for view in fronts if view is not None)
-    line = np.array([[_AT_WAIST * widest, low], [at_shoulder, left.high]])
-    down = np.array([[at_shoulder, low], [at_shoulder, back.high]])
-    width = np.array([_WIDE_BELOW, _WIDE_ABOVE]) * chalk.size
-    pieces: list[Trim] = []
-    for view, middle, widths in (
-        (fronts[0], line, width),
-        (left, line, width),
-        (back, down, width[[1, 1]]),
-    ):
-        pieces += [] if view is None else _piece(chalk, name, view, middle, widths)
-    return (
-        pieces if any(piece.panel == left.panel.name for piece in pieces if hasattr(piece, "panel")) else []
-    )
+    fronts = [left] if right is None else [right, left]
+    low = max(chalk.waist, *[view.low for view in fronts])  # below it lies cloth of the same colour
+    spans = [view.span(low + 0.5) for view in fronts]
+    side = _AT_WAIST * min([span[0] for span in spans if span is not None], default=0.0)
+    tip = float(left.outline[left.outline[:, 1] > left.high - 6.0, 0].max())
+    shoulder = _AT_SHOULDER * tip
+    across = np.array([[side, low], [shoulder, left.high]])
+    down = np.array([[shoulder, low], [shoulder, back.high]])
+    wide, narrow = _WIDE_BELOW * chalk.size, _WIDE_ABOVE * chalk.size
+    on_left = _piece(chalk, name, left, across, (wide, narrow))
+    on_back = _piece(chalk, name, back, down, (narrow, narrow))
+    if not on_left or not on_back:
+        return []
+    on_right = [] if right is None else _piece(chalk, name, right, across, (wide, narrow))
+    return [*on_right, *on_left, *on_back]
 
 
-def _piece(chalk: Chalk, name: str, view: FrontView, middle: Floats, widths: Floats) -> list[Trim]:
+def _piece(
+    chalk: Chalk, name: str, view: FrontView, middle: Floats, widths: tuple[float, float]
+) -> list[Trim]:
     """What of it lies on one panel, with the folds in it.
 
     Args:
@@ -57,7 +57,7 @@ def _piece(chalk: Chalk, name: str, view: FrontView, middle: Floats, widths: Flo
         name: Of the trim.
         view: Of the panel.
         middle: (2, 2) the ends of its middle line in the view, the lower first, cm.
-        widths: (2,) how wide it is there, cm.
+        widths: How wide it is there, cm.
     """
     heights = np.linspace(max(view.low, middle[0, 1]) + _INSIDE, view.high - _INSIDE, _ROWS)
     rows: list[tuple[float, float, float, float, float]] = []
