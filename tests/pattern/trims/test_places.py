@@ -92,7 +92,6 @@ SHOULD_HAVE = {
     "epaulettes": ("shirt", "polo-shirt", "coat", "t-shirt"),
     "arm slits": ("cape",),
     "diagonal closing": ("fitted-dress", "turtleneck", "shirt"),
-    "shoulder drape": ("fitted-dress", "shift-dress", "t-shirt"),
     "rips": (*TROUSERS, "jumpsuit", "fitted-skirt", "t-shirt", "denim-jacket"),
     "knee rips": TROUSERS,
     "left knee rip": TROUSERS,
@@ -106,6 +105,7 @@ SHOULD_HAVE = {
     "reflecting bands": ("t-shirt", "waistcoat", "bomber-jacket", "cardigan", "trousers", "joggers"),
     "asymmetric zip": ("turtleneck", "blazer", "coat", "denim-jacket", "t-shirt"),
     "storm flap": ("coat", "blazer", "hooded-coat", "turtleneck"),
+    "shoulder drape": ("fitted-dress", "shift-dress", "t-shirt"),
 }
 CHILDREN = (60.0, 92.0, 110.0, 128.0, 152.0)
 SOME = tuple(info for info in list_drafts() if info.name not in ("gored-skirt", "pleated-skirt"))

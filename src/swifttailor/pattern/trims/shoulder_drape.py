@@ -18,8 +18,10 @@ _WIDE_BELOW, _WIDE_ABOVE = 24.0, 11.0
 """How wide it is there, cm."""
 _ROWS, _LEAST, _FEWEST = 40, 0.4, 6
 """Of rows in which it is laid on a panel; how wide a row is at least, cm; and how many a piece has."""
-_INSIDE, _BARE = 0.05, 4.0
-"""How far it stays inside of a panel; a front that ends so far below the shoulder has none to hold it, cm."""
+_INSIDE, _IN_MIDDLE, _MIDDLE = 0.45, 0.05, 3.0
+"""How far it stays inside of a panel, and nearer to the middle than the last, cm."""
+_BARE = 4.0
+"""A front that ends so far below the shoulder has none to hold it, cm."""
 _FOLDS, _FOLD = (0.25, 0.5, 0.75), 0.1
 """Where its folds lie, as parts of its width, and half the width of the lines that are these, cm."""
 
@@ -68,16 +70,22 @@ def _piece(
         span = view.span(float(y))
         if span is None:
             continue
-        left, right = max(span[0] + _INSIDE, x - half), min(span[1] - _INSIDE, x + half)
-        if right - left >= _LEAST:
+        left, right = max(span[0] + _inside(span[0]), x - half), min(span[1] - _inside(span[1]), x + half)
+        if right - left >= _LEAST and view.holds([(left, y), (right, y)]):
             rows.append((float(y), left, right, x - half, x + half))
     if len(rows) < _FEWEST:
         return []
     first = [(left, y) for y, left, *_ in rows]
     second = [(right, y) for y, _, right, *_ in rows]
+    if not view.carries([*first, *second[::-1]]):
+        return []
     found = chalk.ruled(name, view.panel.name, first, second, to_the_edge=True)
     for share in _FOLDS if found else ():
         fold = [(a + share * (b - a), y) for y, _, _, a, b in rows]
         within = [p for p, (_, lo, hi, *_) in zip(fold, rows, strict=True) if lo + 0.5 < p[0] < hi - 0.5]
         found += chalk.line(name, view.panel.name, within, width=_FOLD) if len(within) > 2 else []
     return found
+
+
+def _inside(x: float) -> float:
+    return _IN_MIDDLE if abs(x) <= _MIDDLE else _INSIDE
