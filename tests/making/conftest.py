@@ -75,6 +75,7 @@ TRIMMED = {
     "keyhole top": ("t-shirt", ("keyhole", "back keyhole")),
     "police shirt": ("shirt", ("epaulettes",)),
     "cheongsam": ("fitted-dress", ("diagonal closing",)),
+    "sari": ("fitted-dress", ("shoulder drape",)),
     "hospital gown": ("shift-dress", ("back ties",)),
     "smock": ("t-shirt", ("back buttons", "back bow")),
     "corset dress": ("strapless-dress", ("back lacing", "boning")),

@@ -153,3 +153,24 @@ def test_a_part_that_is_not_there_is_asked_for_in_its_colour(reader):
     assert any(
         getattr(wish.change, "claim", None) and wish.change.claim.name == "collar" for wish in heard.sure
     )
+
+
+@pytest.mark.parametrize(
+    ("text", "look"),
+    [
+        ("a pink dirndl", PartLook("sleeves", "#f7f5ef")),
+        ("a vyshyvanka", PartLook("edging", "#a8202c")),
+        ("a Lucia gown", PartLook("belt", "#b3202b")),
+        ("a dirndl with black sleeves", PartLook("sleeves", "#000000")),
+        ("red saree with gold border", PartLook("edging", "#c9a227")),
+        ("blue sari with a gold blouse", PartLook("bodice", "#c9a227")),
+    ],
+)
+def test_names_have_parts_of_their_own_colour_unless_another_is_said(text, look, reader):
+    of_part = [each for each in looks(text, reader) if each.part == look.part]
+    assert of_part == [look]
+
+
+def test_a_colour_of_a_name_is_said_to_be_assumed(reader):
+    heard = hear_description("a dirndl", reader).looks
+    assert any(line.startswith("sleeves in ") for line in heard.assumed)

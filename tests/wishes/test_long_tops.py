@@ -18,7 +18,7 @@ def reader() -> WishReader:
     ("text", "hem", "draft"),
     [
         ("a soldier tunic, red, knee length, short sleeves", "knee", "t-shirt"),
-        ("a kurta to the knee", "knee", "turtleneck"),
+        ("a kurta to the knee", "knee", "shift-dress"),
         ("a cardigan to the knee", "knee", "cardigan"),
         ("a longline waistcoat, to the knee", "knee", "waistcoat"),
         ("a linen shirt to the knee", "knee", "shirt"),

@@ -69,6 +69,7 @@ def test_what_is_wanted_first(text, kind, first):
         ("a dress with an apron", {"apron"}),
         ("formal trousers", {"side pockets", "fly", "creases"}),
         ("a cheongsam", {"diagonal closing"}),
+        ("a sari", {"edging", "shoulder drape"}),
         ("corset top", {"lacing", "boning"}),
         ("tuxedo trousers", {"satin stripes"}),
         ("henley", {"polo placket"}),

@@ -213,6 +213,8 @@ GLOSS = '"what it means"'
         (f"[styles]\ncannot:zip trim:zipper : zip | {GLOSS}", "trim:zipper is none of"),
         (f"[styles]\ncannot:zip trim:back_zip,zap : zip | {GLOSS}", "trim:zap is none of"),
         (f"[prints]\nprint:motif : flowery | {GLOSS}", "motif:"),
+        (f"[garments]\nkind=dress look:a8202c : gown | {GLOSS}", "look:a8202c"),
+        (f"[garments]\nkind=dress look:a8202(edging) : gown | {GLOSS}", "look:a8202 is none of"),
         (f"[styles]\nnever:x : y | {GLOSS}", "never"),
         (f"[styles]\nsometimes : y | {GLOSS}", "is no mark"),
         (f"[negations]\nnegates:around : no | {GLOSS}", "negates:around"),

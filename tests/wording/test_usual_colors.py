@@ -25,6 +25,8 @@ def colors(text: str) -> set[str | None]:
         ("made of suede", "8f6a47"),
         ("school trousers", "3c3f45"),
         ("jeans", "3b5578"),
+        ("qipao", "a9202b"),
+        ("taekwondo pants", "f1efe8"),
     ],
 )
 def test_names_have_the_colours_that_people_picture(text, color):

@@ -55,6 +55,8 @@ _IN_ANOTHER: Mapping[str, tuple[str, str]] = {
 _UNDYED, _PALE = "#f1efe9", 0.62
 """Threads inside of cloth, and how much of their colour shows where it is worn."""
 _RIBS = ("neck rib", "armhole ribs", "hem rib")
+_OF_THE_WHOLE = ("shoulder drape",)
+"""What is of the garment's own cloth, whatever the panel below it is."""
 _LIGHT = 0.55
 """Linear light of cloth from which on it is light."""
 _BLACK_LEATHER, _GREYISH = "#33312f", 0.02
@@ -87,7 +89,8 @@ def trim_color(
         own = _own_color(garment, look, trim)
         if own is not None:
             return np.maximum(to_linear(own), DARKEST)
-        ground = (color_of_panel(garment, panel) if panel else None) or ground
+        below = "" if trim in _OF_THE_WHOLE else panel
+        ground = (color_of_panel(garment, below) if below else None) or ground
     cloth = np.maximum(to_linear(ground), DARKEST)
     if trim in _IN_ANOTHER:  # or nobody would see it
         pale, deep = _IN_ANOTHER[trim]

@@ -178,6 +178,12 @@ _OTHERS: Mapping[str, tuple[str, str]] = {
         "Cut the marked piece twice, with allowances. Sew both together but for shoulder and armhole, turn "
         "them, and catch these edges in the seams there.",
     ),
+    "shoulder drape": (
+        "Cloth over the shoulder",
+        "Cut a length of cloth as wide as the marked piece at the waist and as long as it reaches, and hem "
+        "it. Catch it in the seam of the waist at the right side, lay it in folds up to the left shoulder, "
+        "pin it there, and let the rest hang down the back.",
+    ),
     "side panels": (
         "Side panels",
         "Cut the marked pieces from the other cloth, with allowances, and the panels so much narrower; "

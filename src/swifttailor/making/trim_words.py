@@ -53,6 +53,7 @@ _LINES: Mapping[str, str] = {
     "pleat lines": "edge of a pleat",
     "front pleats": "edge of a pleat",
     "diagonal closing": "piping",
+    "shoulder drape": "fold",
 }
 
 

@@ -112,6 +112,7 @@ SHOULD_HAVE = {
     "smocking": ("skater-dress", "empire-dress", "strappy-dress", "strapless-dress", "t-shirt", "bustier"),
     "ruching": ("fitted-dress", "fitted-skirt", "t-shirt", "bustier", "shift-dress"),
     "cowl folds": ("slip-dress", "camisole", "t-shirt", "fitted-dress"),
+    "shoulder drape": ("fitted-dress", "shift-dress", "t-shirt"),
 }
 CHILDREN = (60.0, 92.0, 110.0, 128.0, 152.0)
 SOME = tuple(info for info in list_drafts() if info.name not in ("gored-skirt", "pleated-skirt"))
@@ -147,6 +148,7 @@ def test_has_its_place_on_the_drafts_that_should_have_it(name, drafts):
         ("waist placket", "fitted-skirt"), ("front pocket", "jeans"), ("lower back pockets", "fitted-skirt"),
         ("thigh pocket", "coat"), ("back elastic", "t-shirt"), ("knee patches", "gathered-skirt"),
         ("arm slits", "coat"), ("yoke frill", "bustier"), ("neck lace", "jeans"),
+        ("shoulder drape", "bustier"),
         ("front frills", "fitted-skirt"),
         ("reflecting bands", "fitted-skirt"), ("asymmetric zip", "jeans"), ("storm flap", "trousers"),
         ("smocking", "fitted-skirt"), ("ruching", "jeans"), ("cowl folds", "jeans"),

@@ -60,6 +60,7 @@ Sleeves = Annotated[bool, Option("Set in sleeves.")]
 WaistShaping = Annotated[float, Option("How far each side seam bends inward at the waist.", "cm", 0.0, 4.0)]
 CapEase = Annotated[float, Option("Fullness of the sleeve cap over the armhole.", "%", 0.0, 6.0)]
 CuffHeight = Annotated[float, Option("Height of the cuffs.", "cm", 3.0, 10.0)]
+SleeveCuffHeight = Annotated[float, Option("Height of the cuffs.", "cm", 3.0, 16.0)]
 CuffWidth = Annotated[float, Option("Room of the cuff on top of the wrist girth.", "cm", 2.0, 10.0)]
 SkirtLength = Annotated[float, Option("Body's waist to the hem, down the middle.", "cm", 36.0, 100.0)]
 SkirtFlare = Annotated[

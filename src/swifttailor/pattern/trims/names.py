@@ -95,6 +95,7 @@ TRIMS: Mapping[str, str] = {
     "smocking": "rows of smocking around the bodice",
     "ruching": "folds gathered along the side seams",
     "cowl folds": "folds that hang below the neck",
+    "shoulder drape": "cloth drawn over the left shoulder",
 }
 """By name, what each is for people. None joins panels, so none changes how a garment is cut or hangs."""
 LIKE_EACH_OTHER = (

@@ -30,6 +30,7 @@ from swifttailor.pattern.trims.reflecting_bands import reflecting_bands
 from swifttailor.pattern.trims.rips import frayed_hem, rips
 from swifttailor.pattern.trims.ruching import ruching
 from swifttailor.pattern.trims.shapes import Trim
+from swifttailor.pattern.trims.shoulder_drape import shoulder_drape
 from swifttailor.pattern.trims.side_panels import side_panels
 from swifttailor.pattern.trims.side_stripes import (
     side_stripes,
@@ -129,6 +130,7 @@ _PLACES: Mapping[str, Callable[[Chalk, str], list[Trim]]] = {
     "smocking": smocking,
     "ruching": ruching,
     "cowl folds": cowl_folds,
+    "shoulder drape": shoulder_drape,
 }
 """How each of `names.TRIMS` is marked."""
 

@@ -42,7 +42,16 @@ _NIPPED = {"waist_shaping": 3.5}
 _TRAILING, _TRAILS = "trailing_sleeves", ("sleeve_shape", "trailing")
 _MAY_TRAIL = (
     *("robe", "hooded-coat", "shift-dress", "swing-dress", "fitted-dress", "skater-dress", "shirt-dress"),
-    *("mermaid-dress", "drop-waist-dress", "t-shirt", "turtleneck", "fitted-top", "peplum-top", "cardigan"),
+    *(
+        "mermaid-dress",
+        "drop-waist-dress",
+        "t-shirt",
+        "shirt",
+        "turtleneck",
+        "fitted-top",
+        "peplum-top",
+        "cardigan",
+    ),
 )
 _FULL_ABOVE = frozenset({Claim("sleeve_shape", "puffed"), Claim("sleeve_shape", "balloon")})
 """Who asks for these has none that trail, whatever the name of the garment means."""
@@ -81,8 +90,8 @@ def with_details(draft: NamedDraft, lacks: Collection[str], claims: Collection[C
             _TRAILS[0]: _TRAILS[1],
             "sleeve_length": max(_LONG_CM, float(options.get("sleeve_length", 0.0))),
         }
-        more |= {"sleeves": True} if draft.name not in ("robe", "t-shirt", "cardigan") else {}
-        more |= {"cuffs": False} if draft.name == "shirt-dress" else {}
+        more |= {"sleeves": True} if draft.name not in ("robe", "t-shirt", "shirt", "cardigan") else {}
+        more |= {"cuffs": False} if draft.name in ("shirt", "shirt-dress") else {}
         more["arm_ease"] = min(float(options.get("arm_ease", 8.0)), 16.0)
     return replace(draft, options=tuple({**options, **more}.items())) if more else draft
 

@@ -27,6 +27,9 @@ _SET_IN = (
 _ALWAYS = ("t-shirt", "shirt", "turtleneck", "shirt-dress", "cardigan")
 _CUFFED = ("sweatshirt", "hoodie", "bomber-jacket", "denim-jacket")
 """Their sleeves end in cuffs, into which full ones are gathered."""
+_OVER_OTHERS = ("coat", "blazer", "hooded-coat", "robe")
+"""What is worn over other clothes and has sleeves."""
+_WITH_CUFFS = ("shirt", "shirt-dress", *_CUFFED)
 _SHAPES: Mapping[str, str] = {
     "balloon": "balloon",
     "puffed": "puffed",
@@ -44,6 +47,15 @@ _LENGTHS: Mapping[str, float] = {
     "extra-long": 66.0,
 }
 _EXTRA_LONG = Claim("sleeves", "extra-long")
+_SLIM, _DEEP = Claim("sleeve_shape", "slim"), Claim("cuffs", "deep")
+_SLIM_ARM = 3.5
+"""Room around the arm of sleeves that are to be close, cm."""
+_SLIM_ENDS: Mapping[float, float] = {16.0: 31.0, 22.0: 30.0, 32.0: 27.0, 44.0: 24.0, 60.0: 20.0, 66.0: 20.0}
+"""Width around at their end, by their length, cm."""
+_OWN_LENGTHS: Mapping[str, float] = {"t-shirt": 22.0}
+"""From the shoulder tip, cm, of drafts with sleeves that are not long unless told."""
+_DEEP_CM = 14.0
+"""Height of cuffs that are to be deep."""
 _USUAL = {"puffed": 22.0, "bell": 44.0, "balloon": 60.0, "plain": 44.0}
 """From the shoulder tip, cm, where nothing is said of the length."""
 _SLIM_END = 21.0
@@ -74,8 +86,10 @@ def sleeves_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     options = dict(draft.options)
     if options.get(ARMHOLE) == "cut-in-one":  # wide where they begin
         return _cut_in_one(draft, claims)
+    draft = _with_deep_cuffs(draft, claims)
+    options = dict(draft.options)
     if shape is None:
-        return _with_plain_sleeves(draft, claims)
+        return _slim(_with_plain_sleeves(draft, claims), claims)
     if draft.name in _CUFFED and shape == "balloon":
         return replace(
             draft, options=tuple({**options, "arm_ease": _FULL_ARM, "sleeve_end": _FULL_END}.items())
@@ -95,7 +109,7 @@ def sleeves_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
 def _with_plain_sleeves(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     """A draft that has sleeves where an option says so, and shirts, with plain ones as long as is told."""
     told, options = _told_lengths(claims), dict(draft.options)
-    if _EXTRA_LONG in claims and draft.name in (*_ALWAYS, *_CUFFED):
+    if _EXTRA_LONG in claims and draft.name in (*_ALWAYS, *_CUFFED, *_OVER_OTHERS):
         return replace(draft, options=tuple({**options, "sleeve_length": _LENGTHS["extra-long"]}.items()))
     if draft.name == "shirt" and told and told[0] <= _LENGTHS["elbow"]:
         short = {"sleeve_length": told[0], "sleeve_end": _SHIRT_END, "cuffs": False}
@@ -104,6 +118,26 @@ def _with_plain_sleeves(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraf
         return draft
     options |= {"sleeves": True, "sleeve_length": told[0], "sleeve_end": _ENDS[told[0]]}
     return replace(draft, options=tuple(options.items()))
+
+
+def _slim(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
+    """A draft with sleeves close to the arm, where those are asked for and nothing of their ends is told."""
+    options = dict(draft.options)
+    worn = draft.name in _ALWAYS or (draft.name in _SET_IN and options.get("sleeves"))
+    if _SLIM not in claims or not worn:
+        return draft
+    length = float(options.get("sleeve_length", _OWN_LENGTHS.get(draft.name, _LENGTHS["long"])))
+    nearest = min(_SLIM_ENDS, key=lambda known: abs(known - length))
+    close = {"arm_ease": _SLIM_ARM, "sleeve_end": _SLIM_ENDS[nearest]}
+    return replace(draft, options=tuple({**options, **close}.items()))
+
+
+def _with_deep_cuffs(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
+    """A draft whose sleeves end in cuffs, with deep ones where those are asked for."""
+    if _DEEP not in claims or draft.name not in _WITH_CUFFS:
+        return draft
+    deep = {"cuffs": True, "cuff_height": _DEEP_CM}
+    return replace(draft, options=tuple({**dict(draft.options), **deep}.items()))
 
 
 def _cut_in_one(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:

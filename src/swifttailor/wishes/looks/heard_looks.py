@@ -10,6 +10,7 @@ from swifttailor.garment.cloth_print import ClothPrint
 from swifttailor.garment.part_looks import OPACITIES, PARTS, SEVERAL_LAYERS, PartLook, merged
 from swifttailor.wishes.looks.printed_parts import ON_ALL, PrintedParts
 from swifttailor.wording.lexicon import NamedColor, SaidLook
+from swifttailor.wording.lexicon.color_names import color_name
 
 _LINED = frozenset({"lace", "tulle", "chiffon", "organza"})
 """Sheer cloths that whole garments of some kinds are made of on a lining."""
@@ -96,13 +97,19 @@ def heard_looks(
         else:
             found, lining = _of_part(found, look, general)
             assumed += lining
+            if not look.said and look.color is not None:
+                assumed.append(f"{look.part.replace('_', ' ')} in {color_name(look.color.rgb)}")
     for part in printed_parts.parts:
         # The colour that is said of them is one of the print's.
         found = [replace(look, color=None) if look.part == part else look for look in found]
         found = _with(found, PartLook(part, printed=True))
     refused += [f"another print of the {noun}" for noun in printed_parts.unmade]
     spoken = spoken | frozenset(printed_parts.parts)
-    names = {f"#{look.color.rgb}": look.color.words.lower() for look in said if look.color is not None}
+    names = {
+        f"#{look.color.rgb}": look.color.words.lower()
+        for look in said
+        if look.color is not None and look.color.words
+    }
     return HeardLooks(
         tuple(found),
         tuple(dict.fromkeys(refused)),

@@ -21,7 +21,8 @@ _PARTS = {
     ),
     "lower": frozenset("legs left_leg right_leg leg_cuffs skirt seat thigh crotch".split()),
 }
-_COAT, _BODYSUIT = ("coat", "parka", "mac", "duster"), ("bodysuit", "body suit")
+_COAT = ("coat", "parka", "mac", "duster", "kurta", "kurti", "kameez", "ao dai tunic")
+_BODYSUIT = ("bodysuit", "body suit")
 """Names of what is cut like a dress and worn over the lower garment, and of what goes into it."""
 
 

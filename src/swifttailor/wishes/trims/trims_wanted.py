@@ -57,6 +57,7 @@ TRIMS_OF: Mapping[str, tuple[str, ...]] = {
     "smocking": ("smocking",),
     "ruching": ("ruching",),
     "draped": ("cowl folds",),
+    "draped_cloth": ("shoulder drape",),
     "knee_patches": ("knee patches",),
     "keyhole": ("keyhole",),
     "keyhole_back": ("back keyhole",),
@@ -83,7 +84,9 @@ _WRAPS = frozenset({"wrap-dress", "wrap-top", "robe"})
 _HOODED = frozenset({"hoodie", "hooded-coat"})
 _RIBS, _RIBBED = "rib_bands", frozenset({"t-shirt", "tank-top", "sweatshirt"})
 _KNITS = frozenset({"jersey", "rib-knit", "sweatshirt", "fleece"})
-_SAID_ALONE = frozenset({"lace", "braid", "apron", "boning", "pleats", "smocking", "ruching", "draped"})
+_SAID_ALONE = frozenset(
+    {"lace", "braid", "apron", "boning", "pleats", "smocking", "ruching", "draped", "draped_cloth"}
+)
 """What is put on only where the text itself asks for it, or a row of the tables has its trim."""
 _LOWER = ("trousers", "shorts")
 _FOR_JACKETS, _TAILORED = frozenset({"cardigan", "turtleneck"}), "blazer"

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Literal, get_args
 
 from swifttailor.describing.claims import Claim
-from swifttailor.garment.part_looks import OPACITIES, PANEL_PARTS
+from swifttailor.garment.part_looks import OPACITIES, PANEL_PARTS, PARTS
 from swifttailor.pattern.drafts.draft_names import NamedDraft
 from swifttailor.pattern.trims.names import TRIMS
 from swifttailor.wording.claim_marks import claims_in
@@ -177,7 +177,8 @@ class Entry:
     trims: tuple[str, ...] = ()
     """Which trims of `swifttailor.pattern.trims` are meant by what it says cannot be made of panels."""
     looks: tuple[tuple[str, str | None], ...] = ()
-    """Sheer cloths, or ``contrast``, and the part of a garment that has them; None: what is spoken of."""
+    """Sheer cloths, ``contrast`` or a colour, ``rrggbb``, and the part of a garment that has them; None:
+    what is spoken of."""
 
     @property
     def name(self) -> str:
@@ -277,10 +278,14 @@ def _looks(row: Row) -> tuple[tuple[str, str | None], ...]:
     for text in row.options["look"]:
         cloth, _, part = text.partition("(")
         part = part.removesuffix(")")
-        if cloth.removeprefix("lined_") not in (*OPACITIES, "contrast"):
-            row.wrong(f"look:{cloth} is none of {', '.join(OPACITIES)}, contrast.")
-        if part and part not in PANEL_PARTS:
-            row.wrong(f"look:{text}: '{part}' is none of {', '.join(PANEL_PARTS)}.")
+        colored = len(cloth) == 6 and set(cloth) <= _HEX
+        if not colored and cloth.removeprefix("lined_") not in (*OPACITIES, "contrast"):
+            row.wrong(
+                f"look:{cloth} is none of {', '.join(OPACITIES)}, contrast, and no colour as in 1f2a44."
+            )
+        parts = PARTS if colored else PANEL_PARTS
+        if part not in (parts if colored else ("", *parts)):
+            row.wrong(f"look:{text}: '{part}' is none of {', '.join(parts)}.")
         found.append((cloth, part or None))
     return tuple(found)
 

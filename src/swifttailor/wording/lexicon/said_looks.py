@@ -36,6 +36,7 @@ from swifttailor.wording.lexicon.vocabulary import vocabulary
 if TYPE_CHECKING:
     from swifttailor.wording.lexicon.reading import WordMark
 
+_RGB = re.compile("[0-9a-f]{6}")
 WHOLE = "all"
 """The part that is the whole garment."""
 OPAQUE, OTHER = "opaque", "other"
@@ -155,7 +156,9 @@ class _Reader:
                     continue
                 where = own or part or (mark.part if mark.role == "word" else None) or WHOLE
                 said = mark.role != "garment" or own is None
-                found.append(SaidLook(where, mark.word, None, cloth, said, (), (mark,)))
+                color = NamedColor("", cloth) if _RGB.fullmatch(cloth) else None
+                kept = None if color is not None else cloth
+                found.append(SaidLook(where, mark.word, color, kept, said, (), (mark,)))
         return found
 
     def of_word(self, k: int) -> list[SaidLook]:

@@ -24,8 +24,10 @@ def usual_color(word: str, entry: Entry) -> str | None:
     """
     if entry.category not in _NAMED:
         return entry.color
-    for sense in vocabulary("en").find(words_of((entry.english or word).lower(), "en")):
-        found = _colors().get(" ".join(words_of(sense.word, "en")))
+    own = words_of((entry.english or word).lower(), "en")
+    keys = [" ".join(own), *[" ".join(words_of(s.word, "en")) for s in vocabulary("en").find(own)]]
+    for key in keys:  # of names with two spellings, "qi pao", the one that was said
+        found = _colors().get(key)
         if found is not None:
             return found
     return entry.color

@@ -54,7 +54,7 @@ class BandedOptions:
     arm_ease: declared.ArmEase = 12.0
     sleeve_end: declared.SleeveEnd = 28.0
     cuffs: Annotated[bool, Option("Sew ribbed cuffs to the sleeves.")] = True
-    cuff_height: declared.CuffHeight = 6.0
+    cuff_height: declared.SleeveCuffHeight = 6.0
     cuff_ease: declared.CuffWidth = 5.0
     hem_band: Annotated[bool, Option("Sew a ribbed band to the hem.")] = True
     hem_band_height: Annotated[float, Option("Height of the hem band.", "cm", 3.0, 10.0)] = 6.0

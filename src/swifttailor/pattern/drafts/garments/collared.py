@@ -73,7 +73,7 @@ class ShirtOptions(PoloShirtOptions):
     sleeve_end: declared.SleeveEnd = 27.0
     sleeves: declared.Sleeves = True
     cuffs: Annotated[bool, Option("Sew cuffs to the sleeves.")] = True
-    cuff_height: declared.CuffHeight = 6.0
+    cuff_height: declared.SleeveCuffHeight = 6.0
     cuff_ease: declared.CuffWidth = 5.0
     sleeve_shape: SleeveShapeOption = "plain"
     shoulder_extension: declared.ShoulderExtension = 0.0

@@ -161,7 +161,7 @@ class ShirtDressOptions:
     sleeve_end: declared.SleeveEnd = 27.0
     cap_ease: declared.CapEase = 3.0
     cuffs: Annotated[bool, Option("Sew cuffs to the sleeves.")] = True
-    cuff_height: declared.CuffHeight = 6.0
+    cuff_height: declared.SleeveCuffHeight = 6.0
     cuff_ease: declared.CuffWidth = 5.0
     sleeve_shape: SleeveShapeOption = "plain"
     collar: CollarOption = "none"
