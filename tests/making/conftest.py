@@ -86,6 +86,10 @@ TRIMMED = {
     "working trousers": ("trousers", ("knee patches", "thigh pocket", "back elastic")),
     "jeans torn at the left": ("jeans", ("left knee rip",)),
     "jeans torn at the right": ("jeans", ("right knee rip",)),
+    "cold shoulder top": ("t-shirt", ("shoulder cut-outs",)),
+    "cut-out dress": ("fitted-dress", ("waist cut-outs", "back cut-out")),
+    "cowl dress": ("slip-dress", ("neck folds",)),
+    "patched jumper": ("sweatshirt", ("elbow patches",)),
     "flapper dress": ("drop-waist-dress", ("hem fringe", "neck cord")),
 }
 """Name of a draft and what is put on it: between them all trims that there are."""

@@ -45,6 +45,11 @@ _KEYHOLE = (
     "Face the marked drop before the neck is finished: sew a piece of cloth to it along the mark, cut the "
     "drop out, turn the facing in, and close the neck above it with a button and a loop.",
 )
+_CUT_OUT = (
+    "Cut-outs",
+    "Sew the seams that cross the marked openings up to their ends. Face each opening along the mark before "
+    "it is cut out, and turn the facing in.",
+)
 _OTHERS: Mapping[str, tuple[str, str]] = {
     "neck cord": (
         "Cord at the neck",
@@ -154,6 +159,19 @@ _OTHERS: Mapping[str, tuple[str, str]] = {
         "Storm flap",
         "Cut the marked piece twice, with allowances. Sew both together but for shoulder and armhole, turn "
         "them, and catch these edges in the seams there.",
+    ),
+    "shoulder cut-outs": _CUT_OUT,
+    "waist cut-outs": _CUT_OUT,
+    "back cut-out": _CUT_OUT,
+    "neck folds": (
+        "Folds of the neck",
+        "Cut the front on the bias. Split it along the marked lines, spread them in the middle by twice the "
+        "depth of a fold, and hem the upper edge wide; sewn to the shoulders, the cloth falls in folds.",
+    ),
+    "elbow patches": (
+        "Patches on the elbows",
+        "Cut the marked pieces of the other cloth, with allowances. Press these under, lay the pieces on the "
+        "sleeves while these are flat, and topstitch all around.",
     ),
     "side panels": (
         "Side panels",

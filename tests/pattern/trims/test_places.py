@@ -105,6 +105,11 @@ SHOULD_HAVE = {
     "reflecting bands": ("t-shirt", "waistcoat", "bomber-jacket", "cardigan", "trousers", "joggers"),
     "asymmetric zip": ("turtleneck", "blazer", "coat", "denim-jacket", "t-shirt"),
     "storm flap": ("coat", "blazer", "hooded-coat", "turtleneck"),
+    "shoulder cut-outs": ("t-shirt", "shirt", "shirt-dress", "sweatshirt", "turtleneck"),
+    "waist cut-outs": ("fitted-dress", "skater-dress", "shift-dress", "jumpsuit", "bodysuit", "t-shirt"),
+    "back cut-out": ("fitted-dress", "skater-dress", "shift-dress", "shirt", "t-shirt", "jumpsuit"),
+    "neck folds": ("slip-dress", "camisole", "tank-top", "t-shirt", "fitted-dress", "jumpsuit"),
+    "elbow patches": ("blazer", "sweatshirt", "cardigan", "shirt", "coat"),
 }
 CHILDREN = (60.0, 92.0, 110.0, 128.0, 152.0)
 SOME = tuple(info for info in list_drafts() if info.name not in ("gored-skirt", "pleated-skirt"))
@@ -142,6 +147,8 @@ def test_has_its_place_on_the_drafts_that_should_have_it(name, drafts):
         ("arm slits", "coat"), ("yoke frill", "bustier"), ("neck lace", "jeans"),
         ("front frills", "fitted-skirt"),
         ("reflecting bands", "fitted-skirt"), ("asymmetric zip", "jeans"), ("storm flap", "trousers"),
+        ("shoulder cut-outs", "tank-top"), ("waist cut-outs", "jeans"), ("back cut-out", "slip-dress"),
+        ("neck folds", "shirt"), ("elbow patches", "t-shirt"), ("elbow patches", "tank-top"),
     ],
 )  # fmt: skip
 def test_has_none_on_others(name, draft_name, drafts):

@@ -10,6 +10,7 @@ from swifttailor.pattern.trims import (
     across_middle,
     back_openings,
     belts,
+    cut_outs,
     decorations,
     elastic,
     fastenings,
@@ -21,9 +22,11 @@ from swifttailor.pattern.trims.arm_slits import arm_slits
 from swifttailor.pattern.trims.boning import boning
 from swifttailor.pattern.trims.chalk import Chalk
 from swifttailor.pattern.trims.diagonal_closing import diagonal_closing
+from swifttailor.pattern.trims.elbow_patches import elbow_patches
 from swifttailor.pattern.trims.epaulettes import epaulettes
 from swifttailor.pattern.trims.keyholes import keyhole
 from swifttailor.pattern.trims.knee_patches import knee_patches
+from swifttailor.pattern.trims.neck_folds import neck_folds
 from swifttailor.pattern.trims.reflecting_bands import reflecting_bands
 from swifttailor.pattern.trims.rips import frayed_hem, rips
 from swifttailor.pattern.trims.shapes import Trim
@@ -118,6 +121,11 @@ _PLACES: Mapping[str, Callable[[Chalk, str], list[Trim]]] = {
     "reflecting bands": reflecting_bands,
     "asymmetric zip": across_front.asymmetric_zip,
     "storm flap": across_front.storm_flap,
+    "shoulder cut-outs": cut_outs.shoulder_cut_outs,
+    "waist cut-outs": cut_outs.waist_cut_outs,
+    "back cut-out": cut_outs.back_cut_out,
+    "neck folds": neck_folds,
+    "elbow patches": elbow_patches,
 }
 """How each of `names.TRIMS` is marked."""
 

@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from swifttailor.garment.cloth_print import ClothPrint
 from swifttailor.render.drawn_naps import CHANNELS
 from swifttailor.wishes.looks.print_inks import shades
-from swifttailor.wording.lexicon import WordReading
+from swifttailor.wording.lexicon import WordMark, WordReading
 
 _CURLED = re.compile(
     r"teddy|sherpa|borg\b|fleece|fluffy|fuzzy|minky|plüsch|peluche|boucl[eé]|terry|towelling|frottee|sheepskin|shearling"
@@ -25,6 +25,8 @@ _METAL = re.compile(
     r"|métallisé|hologram",
     re.IGNORECASE,
 )
+_EDGED = "fur_trim"
+"""What lacks fur of a collar, a hood or an edge alone: its cloth is as it was."""
 _REPEATS_CM: Mapping[str, float] = {
     "curls": 42,
     "cables": 26,
@@ -41,7 +43,7 @@ def nap_of(words: WordReading) -> str | None:
     Args:
         words: Of a text, by the lexicon.
     """
-    marks = [mark for mark in words.marks if not mark.denied]
+    marks = [mark for mark in words.marks if not mark.denied and not _is_edged(mark)]
     lacking = {what for mark in marks for entry in mark.entries for what in entry.cannot}
     said = " ".join([mark.word for mark in marks])
     if "cables" in lacking:
@@ -55,6 +57,11 @@ def nap_of(words: WordReading) -> str | None:
     if _VELVET.search(said) and not _NOT_VELVET.search(said):
         return "pile"
     return "foil" if _METAL.search(said) else None
+
+
+def _is_edged(mark: WordMark) -> bool:
+    """Whether a word says fur of a collar, a hood or an edge, and nothing of the cloth."""
+    return any(_EDGED in entry.cannot for entry in mark.entries)
 
 
 def puffed(color: str, apart: float) -> ClothPrint:
