@@ -303,7 +303,7 @@ def _value(text: str) -> float | bool | str:
 
 DRAFTS_SHOW: Mapping[str, tuple[str, ...]] = {
     "pleated-skirt": ("pleats",),
-    **dict.fromkeys(("wrap-skirt", "wrap-dress", "wrap-top", "sarong"), ("wrap",)),
+    **dict.fromkeys(("wrap-skirt", "wrap-dress", "sarong"), ("wrap",)),
     **dict.fromkeys(("strapless-dress", "bustier"), ("sweetheart",)),
     "polo-shirt": ("shirt_collar",),
     "shirt": ("shirt_collar", "open_front"),
