@@ -37,7 +37,8 @@ def shoulder_cut_outs(chalk: Chalk, name: str) -> list[Trim]:
 
 def waist_cut_outs(chalk: Chalk, name: str) -> list[Trim]:
     """An opening at each side, from just above the waist up."""
-    s, found = chalk.size, []
+    s = chalk.size
+    seams: list[tuple[tuple[EdgeRef, EdgeRef], tuple[float, float]]] = []
     for pair in outer_seams(chalk.pattern, SIDE):
         if not all("torso" in ref.panel for ref in pair):
             continue
@@ -45,15 +46,21 @@ def waist_cut_outs(chalk: Chalk, name: str) -> list[Trim]:
         heights = panel.to_world(panel.sample_edge(pair[0].edge, 9))[:, 1]
         low = max(chalk.waist + _ABOVE_WAIST * s, heights.min() + _LEAST)
         high = min(low + _SIDE * s, heights.max() - _BELOW_ARM * s)
-        if high - low < _SHORTEST_SIDE * s:
-            continue
-        below = float(heights.max() - high)
-        for ref, most in zip(pair, _SIDE_DEEP, strict=True):  # darts leave less room on some
-            tried = [
-                _half(chalk, name, ref, (below, float(high - low)), share * most * s) for share in _SHARES
-            ]
-            found.append(next((half for half in tried if half is not None), None))
-    return _all(found) if len(found) == 4 else []
+        if high - low >= _SHORTEST_SIDE * s:
+            seams.append((pair, (float(heights.max() - high), float(high - low))))
+    if len(seams) != 2:
+        return []
+    found: list[Trim] = []
+    for side, most in enumerate(_SIDE_DEEP):  # darts leave less room on some
+        tried = (
+            _all([_half(chalk, name, pair[side], along, share * most * s) for pair, along in seams])
+            for share in _SHARES
+        )
+        halves = next((both for both in tried if both), [])
+        if not halves:
+            return []
+        found += halves
+    return found
 
 
 def back_cut_out(chalk: Chalk, name: str) -> list[Trim]:

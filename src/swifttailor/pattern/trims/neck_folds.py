@@ -56,7 +56,8 @@ def neck_folds(chalk: Chalk, name: str) -> list[Trim]:
                 [(sign * float(x), float(y)) for x, y in zip(xs, ys + off * half, strict=True)]
                 for off in (-1, 1)
             ]
-            if view.carries([*lines[0], *lines[1][::-1]]):
+            border = [*lines[0], *lines[1][::-1]]
+            if view.bridges(border) and view.carries(border):
                 found += chalk.ruled(name, view.panel.name, *lines, "dark", is_cut=False, to_the_edge=True)
         if len(found) < 2:
             continue
