@@ -90,6 +90,9 @@ TRIMMED = {
     "milkmaid dress": ("skater-dress", ("smocking",)),
     "ruched dress": ("fitted-dress", ("ruching",)),
     "cowl dress": ("slip-dress", ("cowl folds",)),
+    "cold shoulder top": ("t-shirt", ("shoulder cut-outs",)),
+    "cut-out dress": ("fitted-dress", ("waist cut-outs", "back cut-out")),
+    "patched jumper": ("sweatshirt", ("elbow patches",)),
     "flapper dress": ("drop-waist-dress", ("hem fringe", "neck cord")),
 }
 """Name of a draft and what is put on it: between them all trims that there are."""

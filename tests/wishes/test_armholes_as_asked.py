@@ -72,6 +72,15 @@ def test_what_a_draft_has_is_not_said_to_be_impossible(text, draft_, open_):
     assert left & {"raglan", "cut_in_one", "dropped_shoulder"} == open_
 
 
+@pytest.mark.parametrize("name", ["tank-top", "shift-dress"])
+def test_racerbacks_are_cut_in_where_there_are_no_sleeves(name):
+    lacks = read_words("a racerback").lacks
+    made = armholes_as_asked(NamedDraft(name), lacks)
+    assert dict(made.options)["racer"] and "racerback" in made.shows
+    sleeved = NamedDraft("shift-dress", (("sleeves", True),))
+    assert armholes_as_asked(sleeved, lacks) == sleeved
+
+
 def test_wings_are_wide_to_the_eye():
     assert ("sleeve_shape", "wide") in NamedDraft("t-shirt", (("armhole", "cut-in-one"),)).is_to_the_eye
 

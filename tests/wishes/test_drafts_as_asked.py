@@ -97,6 +97,17 @@ SLITS = [Claim("slit", "left"), Claim("slit", "right")]
             "off-shoulder-dress(length=44;waist_seam=true;skirt_fraction=1)",
         ),
         ("sweatshirt(arm_ease=16)", [Claim("hood", "hood")], "hoodie(arm_ease=16)"),
+        ("swimsuit", [Claim("neckline", "v")], "swimsuit"),
+        (
+            "swimsuit",
+            [Claim("neckline", "square")],
+            "bodysuit(stretch=8;sleeves=false;armhole_drop=2;back_neck_depth=14;neckline=square;neck_widening=5;neck_depth=15)",
+        ),
+        (
+            "off-shoulder-top(length=20)",
+            [Claim("sleeves", "long")],
+            "off-shoulder-top(length=20;sleeve_length=60;sleeve_end=24)",
+        ),
         (
             "blazer(length=20)",
             [Claim("collar", "none")],

@@ -179,6 +179,10 @@ def test_a_spiral_goes_through_colours_that_divide_its_six():
         ("a gold lamé top", "foil"),
         ("red flamenco skirt", None),
         ("brown fur coat", "fur"),
+        ("a coat with a fur collar", None),
+        ("a coat with a sherpa collar", None),
+        ("a parka with a fur hood", None),
+        ("a teddy coat with a fur collar", "curls"),
         ("corduroy skirt", None),
         ("flamenco dress", None),  # which has "lame" in it
         ("cotton dress", None),

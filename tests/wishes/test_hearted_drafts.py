@@ -25,6 +25,11 @@ LACKS = read_words("a sweetheart neckline").lacks
         ("fitted-dress", [Claim("shoulders", "strapless")], "fitted-dress"),
         ("shirt", [Claim("collar", "lapel")], "shirt"),
         ("coat", [], "coat"),
+        (
+            "strapless-jumpsuit(flare=4)",
+            [Claim("shoulders", "strapless")],
+            "strapless-jumpsuit(flare=4;dip=5)",
+        ),
     ],
 )
 def test_a_heart_is_cut_where_shoulders_are_covered(named, claims, begun):
@@ -51,6 +56,11 @@ def test_sleeves_are_not_lost_to_it(text):
     heard = hear_description(text, WishReader.load())
     assert Claim("shoulders", "both") in [wish.change.claim for wish in heard.sure]
     assert any("sweetheart" in named.shows for named in heard.drafts)
+
+
+def test_a_jumpsuit_with_a_straight_edge_has_none():
+    assert "sweetheart" in NamedDraft("strapless-jumpsuit", (("dip", 5.0),)).shows
+    assert "sweetheart" not in NamedDraft("strapless-jumpsuit").shows
 
 
 def test_alone_it_is_strapless():

@@ -104,10 +104,47 @@ def test_names_of_dresses_mean_what_they_are_known_by(text, trims):
         ("a keyhole neck top", "keyhole"),
         ("a dress with a keyhole back", "back keyhole"),
         ("a police shirt with epaulettes", "epaulettes"),
+        ("a cold shoulder top", "shoulder cut-outs"),
+        ("a blouse with cut outs on the shoulders", "shoulder cut-outs"),
+        ("a dress with cut outs at the waist", "waist cut-outs"),
+        ("a cut out dress", "waist cut-outs"),
+        ("a dress with a cut out back", "back cut-out"),
+        ("a dress with a cut out neckline", "keyhole"),
+        ("a satin cowl neck top", "cowl folds"),
+        ("a slip dress with a cowl neck", "cowl folds"),
+        ("a jumper with elbow patches", "elbow patches"),
+        ("a jumper with a Henley neckline", "polo placket"),
+        ("a jumper with a zip neck", "half zip"),
+        ("a tie front blouse", "waist bow"),
+        ("a dress with a tie front", "waist bow"),
+        ("a coat with fur trim", "bands"),
     ],
 )
 def test_openings_at_the_neck_and_tabs_on_shoulders_are_put_on(text, trim):
     assert any(trim in wish.choices[0] for wish in trims_wanted(heard(text)))
+
+
+@pytest.mark.parametrize(
+    ("text", "draft", "buttoned"),
+    [
+        ("a silk blouse", "shirt", True),
+        ("a blouse with buttons down the front and a bow at the back", "shirt", True),
+        ("a blouse with a zip down the back", "shirt", False),
+        ("a blouse that ties at the back", "shirt", False),
+        ("a blouse with a keyhole neck", "t-shirt", False),
+        ("a blouse with a cowl neck", "t-shirt", False),
+        ("a strapless blouse", "bandeau", False),
+        ("a blouse with buttons and no straps", "bandeau", True),
+    ],
+)
+def test_what_closes_behind_or_is_pulled_on_has_no_buttons_in_front(text, draft, buttoned):
+    assert any(wish.what == "buttons" for wish in trims_wanted(heard(text), draft)) is buttoned
+
+
+@pytest.mark.parametrize("text", ["a draped skirt", "a club dress", "a shirt with perforated sleeves"])
+def test_folds_and_cut_outs_are_put_on_where_they_are_asked_for_alone(text):
+    names = {name for wish in trims_wanted(heard(text)) for choice in wish.choices for name in choice}
+    assert names.isdisjoint({"cowl folds", "waist cut-outs", "back cut-out", "shoulder cut-outs"})
 
 
 @pytest.mark.parametrize(

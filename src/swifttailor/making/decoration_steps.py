@@ -52,6 +52,11 @@ _KEYHOLE = (
     "Face the marked drop before the neck is finished: sew a piece of cloth to it along the mark, cut the "
     "drop out, turn the facing in, and close the neck above it with a button and a loop.",
 )
+_CUT_OUT = (
+    "Cut-outs",
+    "Sew the seams that cross the marked openings up to their ends. Face each opening along the mark before "
+    "it is cut out, and turn the facing in.",
+)
 _OTHERS: Mapping[str, tuple[str, str]] = {
     "neck cord": (
         "Cord at the neck",
@@ -183,6 +188,14 @@ _OTHERS: Mapping[str, tuple[str, str]] = {
         "Cut a length of cloth as wide as the marked piece at the waist and as long as it reaches, and hem "
         "it. Catch it in the seam of the waist at the right side, lay it in folds up to the left shoulder, "
         "pin it there, and let the rest hang down the back.",
+    ),
+    "shoulder cut-outs": _CUT_OUT,
+    "waist cut-outs": _CUT_OUT,
+    "back cut-out": _CUT_OUT,
+    "elbow patches": (
+        "Patches on the elbows",
+        "Cut the marked pieces of the other cloth, with allowances. Press these under, lay the pieces on the "
+        "sleeves while these are flat, and topstitch all around.",
     ),
     "side panels": (
         "Side panels",

@@ -113,6 +113,10 @@ SHOULD_HAVE = {
     "ruching": ("fitted-dress", "fitted-skirt", "t-shirt", "bustier", "shift-dress"),
     "cowl folds": ("slip-dress", "camisole", "t-shirt", "fitted-dress"),
     "shoulder drape": ("fitted-dress", "shift-dress", "t-shirt"),
+    "shoulder cut-outs": ("t-shirt", "shirt", "shirt-dress", "sweatshirt", "turtleneck"),
+    "waist cut-outs": ("fitted-dress", "skater-dress", "shift-dress", "jumpsuit", "bodysuit", "t-shirt"),
+    "back cut-out": ("fitted-dress", "skater-dress", "shift-dress", "shirt", "t-shirt", "jumpsuit"),
+    "elbow patches": ("blazer", "sweatshirt", "cardigan", "shirt", "coat"),
 }
 CHILDREN = (60.0, 92.0, 110.0, 128.0, 152.0)
 SOME = tuple(info for info in list_drafts() if info.name not in ("gored-skirt", "pleated-skirt"))
@@ -152,6 +156,8 @@ def test_has_its_place_on_the_drafts_that_should_have_it(name, drafts):
         ("front frills", "fitted-skirt"),
         ("reflecting bands", "fitted-skirt"), ("asymmetric zip", "jeans"), ("storm flap", "trousers"),
         ("smocking", "fitted-skirt"), ("ruching", "jeans"), ("cowl folds", "jeans"),
+        ("shoulder cut-outs", "tank-top"), ("waist cut-outs", "jeans"), ("back cut-out", "slip-dress"),
+        ("elbow patches", "t-shirt"), ("elbow patches", "tank-top"),
     ],
 )  # fmt: skip
 def test_has_none_on_others(name, draft_name, drafts):

@@ -16,6 +16,7 @@ IN_PAIRS = (
     "chest pockets", "patch pockets", "kangaroo pocket", "bib pocket", "side pockets", "slant pockets",
     "back pockets", "cargo pockets", "drawstring", "neck cord", "lacing", "double-breasted buttons",
     "lower back pockets", "knee patches", "back welt pockets",
+    "shoulder cut-outs", "waist cut-outs", "back cut-out", "cowl folds", "elbow patches",
 )  # fmt: skip
 
 

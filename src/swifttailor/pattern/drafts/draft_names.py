@@ -142,7 +142,8 @@ class NamedDraft:
         shown = (*shown, *[key for option, key in _OPTIONS_SHOW.items() if dict(self.options).get(option)])
         shown = (*shown, *([TRAILING] if dict(self.options).get("sleeve_shape") == "trailing" else ()))
         shown = (*shown, *([RACERBACK] if dict(self.options).get(RACER) else ()))
-        shown = (*shown, *([SWEETHEART] if (NECKLINE, SWEETHEART) in self.options else ()))
+        dipped = self.name == "strapless-jumpsuit" and dict(self.options).get("dip", 0.0)
+        shown = (*shown, *([SWEETHEART] if dipped or (NECKLINE, SWEETHEART) in self.options else ()))
         shown = tuple([key for key in shown if not (closed and key == "open_front")])
         curves = [CURVED_HEM] if dict(self.options).get(HEM_RISE, 0.0) else []
         curves += [PUFFBALL] if dict(self.options).get(HEM_BAND, 0.0) else []
@@ -252,7 +253,7 @@ _OPTIONS_SHOW = {SIDE_SLITS: LEG_SLITS, BACK_RISE: BACK_RISE, CROSSED: CROSSED_S
 _OF_CROSSED = (("neckline", "square"),)
 """Of bibs, whose straps say no more where they end."""
 RACER, RACERBACK = "racer", "racerback"
-"""The option of tank tops whose back is cut in, and what that is in ``cannot.txt``."""
+"""The option of tank tops and shift dresses whose back is cut in, and what that is in ``cannot.txt``."""
 _OF_RACERS = (("armholes", "angled"), ("armholes", "deep"))
 NECKLINE, SWEETHEART = "neckline", "sweetheart"
 """The option of the shape of a neckline, and one of its values, which is a key of ``cannot.txt`` as well."""
@@ -312,11 +313,8 @@ def _value(text: str) -> float | bool | str:
 
 DRAFTS_SHOW: Mapping[str, tuple[str, ...]] = {
     "pleated-skirt": ("pleats",),
-    "wrap-skirt": ("wrap",),
-    "wrap-dress": ("wrap",),
-    "sarong": ("wrap",),
-    "strapless-dress": ("sweetheart",),
-    "bustier": ("sweetheart",),
+    **dict.fromkeys(("wrap-skirt", "wrap-dress", "sarong"), ("wrap",)),
+    **dict.fromkeys(("strapless-dress", "bustier"), ("sweetheart",)),
     "polo-shirt": ("shirt_collar",),
     "shirt": ("shirt_collar", "open_front"),
     "waistcoat": ("open_front",),

@@ -96,6 +96,10 @@ TRIMS: Mapping[str, str] = {
     "ruching": "folds gathered along the side seams",
     "cowl folds": "folds that hang below the neck",
     "shoulder drape": "cloth drawn over the left shoulder",
+    "shoulder cut-outs": "openings on both shoulders",
+    "waist cut-outs": "openings at both sides of the waist",
+    "back cut-out": "an opening in the middle of the back",
+    "elbow patches": "patches on the elbows",
 }
 """By name, what each is for people. None joins panels, so none changes how a garment is cut or hangs."""
 LIKE_EACH_OTHER = (
@@ -125,7 +129,11 @@ LIKE_EACH_OTHER = (
     ("neck frill", "neck bow", "neck cord"),
     ("creases", "pleat lines"),
     ("front pleats", "pleat lines"),
-    ("back zip", "back ties", "back buttons", "back lacing"),
+    ("back zip", "back ties", "back buttons", "back lacing", "back cut-out"),
+    ("keyhole", "cowl folds"),
+    ("back keyhole", "back cut-out"),
+    ("sleeve stripes", "shoulder cut-outs"),
+    ("side panels", "waist cut-outs"),
     ("rips", "knee rips", "left knee rip", "right knee rip", "knee patches"),
 )
 """Groups of which a garment has one at most."""

@@ -10,6 +10,7 @@ from swifttailor.pattern.trims import (
     across_middle,
     back_openings,
     belts,
+    cut_outs,
     decorations,
     elastic,
     fastenings,
@@ -22,6 +23,7 @@ from swifttailor.pattern.trims.boning import boning
 from swifttailor.pattern.trims.chalk import Chalk
 from swifttailor.pattern.trims.cowl import cowl_folds
 from swifttailor.pattern.trims.diagonal_closing import diagonal_closing
+from swifttailor.pattern.trims.elbow_patches import elbow_patches
 from swifttailor.pattern.trims.epaulettes import epaulettes
 from swifttailor.pattern.trims.fur_edges import fur_trim, neck_fur, sleeve_fur
 from swifttailor.pattern.trims.keyholes import keyhole
@@ -131,6 +133,10 @@ _PLACES: Mapping[str, Callable[[Chalk, str], list[Trim]]] = {
     "ruching": ruching,
     "cowl folds": cowl_folds,
     "shoulder drape": shoulder_drape,
+    "shoulder cut-outs": cut_outs.shoulder_cut_outs,
+    "waist cut-outs": cut_outs.waist_cut_outs,
+    "back cut-out": cut_outs.back_cut_out,
+    "elbow patches": elbow_patches,
 }
 """How each of `names.TRIMS` is marked."""
 

@@ -36,7 +36,7 @@ def side_stripes(chalk: Chalk, name: str) -> list[Trim]:
 
 def sleeve_stripes(chalk: Chalk, name: str) -> list[Trim]:
     """Down the outside of both sleeves, along the seam that lies on top."""
-    return _stripes(chalk, name, _top_seams(chalk.pattern))
+    return _stripes(chalk, name, top_seams(chalk.pattern))
 
 
 def three_side_stripes(chalk: Chalk, name: str) -> list[Trim]:
@@ -48,10 +48,10 @@ def three_side_stripes(chalk: Chalk, name: str) -> list[Trim]:
 
 def three_sleeve_stripes(chalk: Chalk, name: str) -> list[Trim]:
     """The same down the outside of both sleeves."""
-    return _three(chalk, name, _top_seams(chalk.pattern))
+    return _three(chalk, name, top_seams(chalk.pattern))
 
 
-def _top_seams(pattern: Pattern) -> list[tuple[EdgeRef, EdgeRef]]:
+def top_seams(pattern: Pattern) -> list[tuple[EdgeRef, EdgeRef]]:
     """Seams of both sleeves that lie on top."""
     found: list[tuple[EdgeRef, EdgeRef]] = []
     for arm in ("left", "right"):

@@ -17,6 +17,8 @@ _MAY_BE = (
 """Drafts whose necklines may be cut so."""
 _WIDENING_CM, _DEPTH_CM = 4.0, 16.0
 """A heart is as wide and as deep as that: a narrower one is a slit, a higher one has no lobes."""
+_STRAPLESS, _DIP_CM = "strapless-jumpsuit", 5.0
+"""What has no shoulders and a straight edge otherwise, and how far that falls in the middle of a heart."""
 _OF_SHIRTS = ("length", "chest_ease", "sleeve_length", "sleeve_end", "sleeve_shape", "arm_ease")
 """Options of shirts that T-shirts have as well."""
 _OTHERS = frozenset({"collar", "hood"})
@@ -24,14 +26,18 @@ _BARE = Claim("shoulders", "strapless")
 
 
 def hearted_as_asked(draft: NamedDraft, lacks: Sequence[Lack], claims: Sequence[Claim]) -> NamedDraft:
-    """A draft with a sweetheart neckline where one is asked for, and shoulders too; others as they are.
+    """A draft with a sweetheart neckline where one is asked for; those that cannot have it as they are.
 
     Args:
         draft: As it goes with what else is asked for.
         lacks: What the text asks for that is not made by cutting.
         claims: What is asked for, all of it.
     """
-    if not any(lack.what == SWEETHEART for lack in lacks) or draft.name not in _MAY_BE or draft.stands:
+    if not any(lack.what == SWEETHEART for lack in lacks):
+        return draft
+    if draft.name == _STRAPLESS:
+        return replace(draft, options=tuple({**dict(draft.options), "dip": _DIP_CM}.items()))
+    if draft.name not in _MAY_BE or draft.stands:
         return draft
     if _BARE in claims or any(claim.name in _OTHERS and claim.value != "none" for claim in claims):
         return draft

@@ -24,6 +24,7 @@ _SET_IN = (
     "wrap-dress",
 )
 """Drafts that have sleeves where an option says so."""
+_BELOW_SHOULDERS = ("off-shoulder-top", "off-shoulder-dress")
 _ALWAYS = ("t-shirt", "shirt", "turtleneck", "shirt-dress", "cardigan")
 _CUFFED = ("sweatshirt", "hoodie", "bomber-jacket", "denim-jacket")
 """Their sleeves end in cuffs, into which full ones are gathered."""
@@ -114,6 +115,9 @@ def _with_plain_sleeves(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraf
     if draft.name == "shirt" and told and told[0] <= _LENGTHS["elbow"]:
         short = {"sleeve_length": told[0], "sleeve_end": _SHIRT_END, "cuffs": False}
         return replace(draft, options=tuple({**options, **short}.items()))
+    if told and draft.name in _BELOW_SHOULDERS and told[0] >= _LENGTHS["three-quarter"]:
+        options |= {"sleeve_length": told[0], "sleeve_end": _ENDS[told[0]]}
+        return replace(draft, options=tuple(options.items()))
     if not told or draft.name not in _SET_IN or options.get("sleeves"):
         return draft
     options |= {"sleeves": True, "sleeve_length": told[0], "sleeve_end": _ENDS[told[0]]}

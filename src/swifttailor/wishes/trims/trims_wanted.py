@@ -59,6 +59,9 @@ TRIMS_OF: Mapping[str, tuple[str, ...]] = {
     "draped": ("cowl folds",),
     "draped_cloth": ("shoulder drape",),
     "knee_patches": ("knee patches",),
+    "elbow_patches": ("elbow patches",),
+    "cold_shoulder": ("shoulder cut-outs",),
+    "cut_outs": ("waist cut-outs", "back cut-out", "keyhole"),
     "keyhole": ("keyhole",),
     "keyhole_back": ("back keyhole",),
     "epaulettes": ("epaulettes",),
@@ -85,9 +88,19 @@ _HOODED = frozenset({"hoodie", "hooded-coat"})
 _RIBS, _RIBBED = "rib_bands", frozenset({"t-shirt", "tank-top", "sweatshirt"})
 _KNITS = frozenset({"jersey", "rib-knit", "sweatshirt", "fleece"})
 _SAID_ALONE = frozenset(
-    {"lace", "braid", "apron", "boning", "pleats", "smocking", "ruching", "draped", "draped_cloth"}
+    {
+        *("lace", "braid", "apron", "boning", "pleats", "smocking", "ruching"),
+        *("cut_outs", "draped", "draped_cloth"),
+    }
 )
 """What is put on only where the text itself asks for it, or a row of the tables has its trim."""
+_INSTEAD = frozenset(
+    {"back zip", "back ties", "back buttons", "back lacing", "keyhole", "cowl folds", "neck cord", "lacing"}
+)
+"""What closes, opens or fills a neck, so that no buttons do."""
+_PULLED_ON = frozenset({"off-shoulder-top", "bandeau", "bustier", "halter-top", "tank-top", "camisole"})
+"""Drafts that are buttoned in front only where a text or a name says so."""
+_BOAT = Claim("neckline", "boat")
 _LOWER = ("trousers", "shorts")
 _FOR_JACKETS, _TAILORED = frozenset({"cardigan", "turtleneck"}), "blazer"
 """Drafts that jackets without a collar and with one that stands are cut from, and the one with lapels."""
@@ -130,6 +143,8 @@ def trims_wanted(heard: Heard, draft: str = "", kind: str = "") -> tuple[TrimWis
         own = tuple([name for name in _of_garment(heard) if name in can])
         if not lack.said and lack.what in _SAID_ALONE and not own and not _is_worn_beside(heard, lack.what):
             can = ()
+        if lack.what == "buttons" and not lack.said and _is_closed_otherwise(heard, named, own, draft):
+            continue
         said = tuple([name for name in named if name in can])
         if draft in _HOODED:  # that of a hoodie
             said = tuple([_KANGAROO if name == "front pocket" else name for name in said])
@@ -165,6 +180,19 @@ def _is_a_jacket(heard: Heard) -> bool:
     lacks = {lack.what for lack in heard.lacks if lack.said}
     jackets = any(draft.name == _TAILORED for entry in named for draft in entry.drafts)
     return jackets and lacks.isdisjoint({"zip", "open_front", "ties", "belt"})
+
+
+def _is_closed_otherwise(heard: Heard, named: tuple[str, ...], own: tuple[str, ...], draft: str) -> bool:
+    """Whether nothing is buttoned in front that usually is: a blouse that closes behind, or is pulled on.
+
+    Args:
+        heard: What the text asks for.
+        named: Trims that it names.
+        own: Buttons that the name of the garment has of its own, if any.
+        draft: That it is cut from.
+    """
+    pulled_on = draft in _PULLED_ON or _BOAT in _claims(heard)
+    return not _INSTEAD.isdisjoint(named) or (pulled_on and not own)
 
 
 def _claims(heard: Heard) -> frozenset[Claim]:
@@ -268,7 +296,7 @@ def _usual(what: str, kind: str, cloth: str | None, draft: str) -> tuple[tuple[s
         return (("neck cord",),) if draft in _HOODED else (("drawstring",), ("neck cord",))
     if what == "pleats":
         return (("front pleats",),) if kind in _LOWER else ()
-    if what in ("padding", "asymmetric_closing", "fur"):
+    if what in ("padding", "asymmetric_closing", "fur", "cut_outs", "draped", "rib_bands"):
         return ()
     return tuple([(name,) for name in TRIMS_OF.get(what, ())])
 

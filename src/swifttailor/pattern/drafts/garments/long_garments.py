@@ -45,6 +45,8 @@ _INSET_CM = 1.5
 """How far the armholes of a sleeveless hooded coat lie inside the shoulder tips."""
 _UNDER_PONCHO = 18.0
 """How far the underarm of a poncho lies below the armpit, cm."""
+_RACER_STRAP_CM = 4.0
+"""Width of the straps of shift dresses whose back is cut in."""
 
 
 @dataclass(frozen=True)
@@ -264,6 +266,9 @@ class ShiftDressOptions:
     collar_height: CollarHeight = 4.0
     waist_shaping: declared.WaistShaping = 0.0
     stretch: declared.ClothStretch = 0.0
+    racer: Annotated[
+        bool, Option("Cut the back in between the shoulder blades, where there are no sleeves and no collar.")
+    ] = False
 
 
 def draft_shift_dress(options: ShiftDressOptions, measurements: Measurements) -> Pattern:
@@ -282,13 +287,16 @@ def _from_the_shoulders(
     asked = Neckline(options.neckline, options.neck_widening, options.neck_depth, options.back_neck_depth)
     collar = NeckCollar(options.collar, options.collar_width, options.collar_height)
     extension = shift.shoulder_extension if shift else 0.0
+    racer = shift is not None and shift.racer and not options.sleeves and options.collar == "none"
+    bared = asked.start_x(figure) + _RACER_STRAP_CM - figure.shoulder_x if racer else -1.5
     bodice = LooseBodice(
         collar.neckline(asked),
         options.chest_ease,
         options.length,
         options.armhole_drop,
         flare=options.flare,
-        shoulder_extension=extension if options.sleeves else -1.5,
+        shoulder_extension=extension if options.sleeves else min(bared, 0.0),
+        racer=racer,
         side_slits=shift.side_slits if shift else 0.0,
         side_rise=shift.hem_rise if shift else 0.0,
         waist_shaping=shaping,
