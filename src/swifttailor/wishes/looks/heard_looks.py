@@ -23,8 +23,6 @@ _ARE_ALL = (("skirt", "skirt"), ("trousers", "legs"), ("shorts", "legs"))
 """Kinds of garments that are nothing but a part of others."""
 _CONTRAST, _OTHER = "contrast", "other"
 _ON_LIGHT, _ON_DARK = NamedColor("navy", "1f2a44"), NamedColor("off-white", "f4f1e8")
-_FUR = "fur_trim"
-_BROWN_FUR, _PALE_FUR = NamedColor("brown", "4d382a"), NamedColor("off-white", "e9e0d0")
 _LIGHT_FROM = 150.0
 """Brightness from which cloth counts as light, 0 to 255."""
 
@@ -90,7 +88,7 @@ def heard_looks(
             refused.append(f"another {'look' if look.color is None else 'colour'} of the {look.noun.lower()}")
             continue
         if look.cloth == _CONTRAST:
-            shown = _contrast(printed.colors[0] if printed is not None else color, furred=_is_furred(look))
+            shown = _contrast(printed.colors[0] if printed is not None else color)
             assumed.append(f"{look.part.replace('_', ' ')} in {shown.words}")
             found = _with(found, PartLook(look.part, f"#{shown.rgb}"))
         elif look.part == "all" and look.cloth is not None:
@@ -211,17 +209,9 @@ def _with(found: list[PartLook], look: PartLook) -> list[PartLook]:
     return list(merged(found, [look]))
 
 
-def _is_furred(look: SaidLook) -> bool:
-    """Whether it is to look like fur, which is brown or pale."""
-    return any(_FUR in entry.cannot for mark in look.noun_marks for entry in mark.entries)
-
-
-def _contrast(color: str | None, *, furred: bool = False) -> NamedColor:
+def _contrast(color: str | None) -> NamedColor:
     """A colour that is told from another at a glance; most that nobody names are dark."""
     if color is None:
-        return _PALE_FUR if furred else _ON_DARK
+        return _ON_DARK
     red, green, blue = (int(color[k : k + 2], 16) for k in (1, 3, 5))
-    is_light = 0.3 * red + 0.59 * green + 0.11 * blue >= _LIGHT_FROM
-    if furred:
-        return _BROWN_FUR if is_light else _PALE_FUR
-    return _ON_LIGHT if is_light else _ON_DARK
+    return _ON_LIGHT if 0.3 * red + 0.59 * green + 0.11 * blue >= _LIGHT_FROM else _ON_DARK

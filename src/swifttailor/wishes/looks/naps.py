@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from swifttailor.garment.cloth_print import ClothPrint
 from swifttailor.render.drawn_naps import CHANNELS
 from swifttailor.wishes.looks.print_inks import shades
-from swifttailor.wording.lexicon import WordMark, WordReading
+from swifttailor.wording.lexicon import WordReading
 
 _CURLED = re.compile(
     r"teddy|sherpa|borg\b|fleece|fluffy|fuzzy|minky|plüsch|peluche|boucl[eé]|terry|towelling|frottee|sheepskin|shearling"
@@ -59,11 +59,6 @@ def nap_of(words: WordReading) -> str | None:
     if _VELVET.search(said) and not _NOT_VELVET.search(said):
         return "pile"
     return "foil" if _METAL.search(said) else None
-
-
-def _is_edged(mark: WordMark) -> bool:
-    """Whether a word says fur of a collar, a hood or an edge, and nothing of the cloth."""
-    return any(_EDGED in entry.cannot for entry in mark.entries)
 
 
 def puffed(color: str, apart: float) -> ClothPrint:
