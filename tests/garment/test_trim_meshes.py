@@ -38,6 +38,7 @@ FLAT = (
     "edging",
     "piping",
     "bands",
+    "narrow bands",
     "lace trim",
     "neck lace",
     "neck rib",

@@ -91,7 +91,7 @@ TRIMS_OF_PARTS: Mapping[str, tuple[str, ...]] = {
     "drawstring": ("drawstring", "neck cord"),
     "frills": ("neck frill", "sleeve frills", "hem frill", "front frills", "yoke frill"),
     "fringe": ("hem fringe",),
-    "edging": ("edging", "piping", "bands", "lace trim", "neck lace"),
+    "edging": ("edging", "piping", "bands", "narrow bands", "lace trim", "neck lace"),
     "side_stripes": ("side stripes", "sleeve stripes", "three side stripes", "three sleeve stripes"),
     "side_panels": ("side panels",),
     "bow": ("neck bow", "waist bow", "shoulder bows", "back bow", "back ties"),

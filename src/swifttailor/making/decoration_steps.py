@@ -16,6 +16,7 @@ _STRIPS = {
     "edging": "ribbon or braid",
     "piping": "piping cord in bias binding",
     "bands": "strips of the other cloth",
+    "narrow bands": "ribbing of the other colour",
 }
 """What is sewn along edges."""
 _TITLES: Mapping[str, str] = {
@@ -31,6 +32,7 @@ _TITLES: Mapping[str, str] = {
     "edging": "Edging",
     "piping": "Piping",
     "bands": "Bands along the edges",
+    "narrow bands": "Bands around neck and sleeves",
     "lace trim": "Lace",
     "side stripes": "Stripes down the sides",
     "sleeve stripes": "Stripes down the sleeves",
@@ -129,6 +131,21 @@ _OTHERS: Mapping[str, tuple[str, str]] = {
         "Boning",
         "Before the lining or facing is sewn in, sew tape of 1.5 cm behind each marked line, along both "
         "of its edges. Cut bones 1 cm shorter than the channels, round their ends, and push them in.",
+    ),
+    "tucks": (
+        "Tucks",
+        "Cut the fronts 0.6 cm wider for each marked line, in wholly tucked cloth if that is easier. Fold the "
+        "cloth on each line, sew 0.3 cm beside the fold, and press all folds towards the armholes.",
+    ),
+    "cowl folds": (
+        "Folds of the cowl",
+        "Cut the front on the bias, with 8 cm more in its length and its width at the neck. Turn a wide "
+        "facing in along the upper edge, and let the rest hang in the marked folds.",
+    ),
+    "shoulder openings": (
+        "Openings at the shoulders",
+        "Sew the seam on top of the sleeve above and below the marks alone. Cut along these and bind the "
+        "edges.",
     ),
     "reflecting bands": (
         "Reflecting bands",

@@ -46,6 +46,8 @@ _LINES: Mapping[str, str] = {
     "back lacing": "lacing",
     "back buttons": "edge of the upper half",
     "boning": "channel of a bone",
+    "tucks": "tuck",
+    "cowl folds": "fold",
     "creases": "pressed crease",
     "pleat lines": "edge of a pleat",
     "front pleats": "edge of a pleat",

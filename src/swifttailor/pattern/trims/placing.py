@@ -20,6 +20,7 @@ from swifttailor.pattern.trims import (
 from swifttailor.pattern.trims.arm_slits import arm_slits
 from swifttailor.pattern.trims.boning import boning
 from swifttailor.pattern.trims.chalk import Chalk
+from swifttailor.pattern.trims.cowl_folds import cowl_folds
 from swifttailor.pattern.trims.diagonal_closing import diagonal_closing
 from swifttailor.pattern.trims.epaulettes import epaulettes
 from swifttailor.pattern.trims.keyholes import keyhole
@@ -27,6 +28,7 @@ from swifttailor.pattern.trims.knee_patches import knee_patches
 from swifttailor.pattern.trims.reflecting_bands import reflecting_bands
 from swifttailor.pattern.trims.rips import frayed_hem, rips
 from swifttailor.pattern.trims.shapes import Trim
+from swifttailor.pattern.trims.shoulder_openings import shoulder_openings
 from swifttailor.pattern.trims.side_panels import side_panels
 from swifttailor.pattern.trims.side_stripes import (
     side_stripes,
@@ -35,6 +37,7 @@ from swifttailor.pattern.trims.side_stripes import (
     three_sleeve_stripes,
 )
 from swifttailor.pattern.trims.stirrups import stirrups
+from swifttailor.pattern.trims.tucks import tucks
 from swifttailor.pattern.trims.yoke_frill import yoke_frill
 
 _PLACES: Mapping[str, Callable[[Chalk, str], list[Trim]]] = {
@@ -83,6 +86,7 @@ _PLACES: Mapping[str, Callable[[Chalk, str], list[Trim]]] = {
     "edging": decorations.edging,
     "piping": decorations.edging,
     "bands": decorations.edging,
+    "narrow bands": decorations.edging,
     "lace trim": decorations.edging,
     "neck lace": decorations.neck_lace,
     "side stripes": side_stripes,
@@ -95,6 +99,9 @@ _PLACES: Mapping[str, Callable[[Chalk, str], list[Trim]]] = {
     "shoulder bows": decorations.shoulder_bows,
     "lacing": decorations.lacing,
     "boning": boning,
+    "tucks": tucks,
+    "cowl folds": cowl_folds,
+    "shoulder openings": shoulder_openings,
     "apron": decorations.apron,
     "creases": pressed_lines.creases,
     "pleat lines": pressed_lines.pleat_lines,

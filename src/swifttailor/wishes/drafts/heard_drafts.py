@@ -70,6 +70,7 @@ _KNITTED, _CORDUROY = ("jersey", "rib-knit"), "twill"
 _COATS, _JACKETS = ("coat", "hooded-coat", "cape"), ("blazer", "turtleneck")
 """Drafts of what is worn over other clothes and open in front, long and short."""
 _STRAPLESS = ("bandeau", "bustier", "strapless-dress", "strapless-jumpsuit")
+_BUSTIER, _STRAPS = "bustier", ("straps", True)
 _SHAWL = ("lapels", "shawl")
 _SHAWL_CARDIGAN = NamedDraft(
     "blazer", (_SHAWL, ("chest_ease", 13.0), ("waist_shaping", 0.5), ("neck_depth", 28.0))
@@ -101,7 +102,8 @@ def drafts_of(heard: Heard) -> tuple[NamedDraft, ...]:
     fitting = [straight_as_said(to_the_legs_as_said(d, heard.text, long=long), heard.text) for d in fitting]
     fitting = [low_as_asked(draft, sure) for draft in gored_as_said(fitting, heard.text)]
     if any(claim.name == "straps" for claim in sure):
-        fitting = [draft for draft in fitting if draft.name not in _STRAPLESS] or fitting
+        fitting = [_on_straps(draft) for draft in fitting]
+        fitting = [draft for draft in fitting if not _is_strapless(draft)] or fitting
     if asks_for_mandarin_collar(entries):
         fitting = [with_mandarin_collar(draft) for draft in fitting]
     if asks_for_sailor_collar(entries):
@@ -119,6 +121,15 @@ def drafts_of(heard: Heard) -> tuple[NamedDraft, ...]:
     opened = [opened_as_asked(draft, sure, wanted) for draft in closed]
     found = dict.fromkeys([hem_as_asked(draft, sure, wanted, _denied(heard)) for draft in opened])
     return tuple(sorted(found, key=lambda draft: wanted.isdisjoint(draft.shows)))
+
+
+def _on_straps(draft: NamedDraft) -> NamedDraft:
+    """A bustier on thin straps; others as they are."""
+    return replace(draft, options=(*draft.options, _STRAPS)) if draft.name == _BUSTIER else draft
+
+
+def _is_strapless(draft: NamedDraft) -> bool:
+    return draft.name in _STRAPLESS and _STRAPS not in draft.options
 
 
 def _entries(heard: Heard) -> list[Entry]:

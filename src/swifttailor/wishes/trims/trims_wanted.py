@@ -35,13 +35,16 @@ TRIMS_OF: Mapping[str, tuple[str, ...]] = {
     "french_cuffs": ("sleeve turn-ups",),
     "padding": ("quilting",),
     "ties": ("tie belt", "neck bow", "waist bow", "shoulder bows", "back bow", "back ties"),
-    "braid": ("edging", "piping", "bands"),
+    "braid": ("edging", "piping", "bands", "narrow bands"),
     "lace": ("lace trim", "neck lace"),
     "side_stripes": ("side stripes", "sleeve stripes", *THREE),
     "side_panels": ("side panels",),
     "frills": _FRILLS,
     "lacing": ("lacing",),
     "boning": ("boning",),
+    "tucks": ("tucks",),
+    "draped": ("cowl folds",),
+    "cold_shoulder": ("shoulder openings",),
     "rib_bands": ("neck rib", "armhole ribs", "hem rib"),
     "fringe": ("hem fringe",),
     "apron": ("apron",),
@@ -79,7 +82,7 @@ _WRAPS = frozenset({"wrap-dress", "wrap-top", "robe"})
 _HOODED = frozenset({"hoodie", "hooded-coat"})
 _RIBS, _RIBBED = "rib_bands", frozenset({"t-shirt", "tank-top", "sweatshirt"})
 _KNITS = frozenset({"jersey", "rib-knit", "sweatshirt", "fleece"})
-_SAID_ALONE = frozenset({"lace", "braid", "apron", "boning", "pleats"})
+_SAID_ALONE = frozenset({"lace", "braid", "apron", "boning", "pleats", "draped"})
 """What is put on only where the text itself asks for it, or a row of the tables has its trim."""
 _LOWER = ("trousers", "shorts")
 _FOR_JACKETS, _TAILORED = frozenset({"cardigan", "turtleneck"}), "blazer"
@@ -123,6 +126,8 @@ def trims_wanted(heard: Heard, draft: str = "", kind: str = "") -> tuple[TrimWis
         own = tuple([name for name in _of_garment(heard) if name in can])
         if not lack.said and lack.what in _SAID_ALONE and not own and not _is_worn_beside(heard, lack.what):
             can = ()
+        if lack.what == "lace" and not lack.said and _is_of_lace(heard):
+            can = own = ()
         said = tuple([name for name in named if name in can])
         placed = trims_by_place(heard.text, lack.what, kind=kind, draft=draft) if lack.said else ()
         if placed:
@@ -142,7 +147,7 @@ def trims_wanted(heard: Heard, draft: str = "", kind: str = "") -> tuple[TrimWis
         if choices:
             found.append(TrimWish(lack.what, lack.said, choices, bool(said)))
     if draft in _RIBBED and not any(wish.what == _RIBS for wish in found) and _is_knitted(heard, draft):
-        found.append(TrimWish(_RIBS, False, (("neck rib", "armhole ribs"), ("neck rib",))))
+        found.append(TrimWish(_RIBS, False, (("neck rib", "armhole ribs"), ("neck rib",), ("armhole ribs",))))
     if draft in _FOR_JACKETS and not any(wish.what == "buttons" for wish in found) and _is_a_jacket(heard):
         pocketed = () if any(wish.what == "pockets" for wish in found) else (("buttons", "welt pockets"),)
         found.append(TrimWish("buttons", False, (*pocketed, ("buttons",))))
@@ -169,6 +174,11 @@ def _is_knitted(heard: Heard, draft: str) -> bool:
         name in _named(heard) for group in LIKE_EACH_OTHER if "neck frill" in group for name in group
     )
     return not dressed and (draft == "sweatshirt" or heard.cloth in _KNITS)
+
+
+def _is_of_lace(heard: Heard) -> bool:
+    """Whether the garment itself is of lace, whose edges need no other."""
+    return any(look.part == "all" and look.cloth == "lace" for look in heard.looks.looks)
 
 
 def _is_worn_beside(heard: Heard, what: str) -> bool:
@@ -259,7 +269,7 @@ def _usual(what: str, kind: str, cloth: str | None, draft: str) -> tuple[tuple[s
         return (("neck cord",),) if draft in _HOODED else (("drawstring",), ("neck cord",))
     if what == "pleats":
         return (("front pleats",),) if kind in _LOWER else ()
-    if what in ("padding", "asymmetric_closing"):
+    if what in ("padding", "asymmetric_closing", "draped"):
         return ()
     return tuple([(name,) for name in TRIMS_OF.get(what, ())])
 
