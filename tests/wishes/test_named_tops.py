@@ -76,3 +76,12 @@ def test_a_teddy_has_not_the_colour_of_teddy():
     assert [usual_color("teddy", entry) for entry in named.entries if entry.category == "garments"] == [None]
     (cloth,) = [m for m in read_words("a hoodie of teddy fabric and teddy").marks if m.word == "teddy"]
     assert any(usual_color("teddy", entry) for entry in cloth.entries if entry.category == "fabrics")
+
+
+@pytest.mark.parametrize("text", ["a jumpsuit, gold sequins", "dress in gold sequin", "gold sequined dress"])
+def test_sequins_of_one_colour_are_what_is_seen(text):
+    assert [color.words for color in read_words(text).colors] == ["gold"]
+
+
+def test_sequins_on_another_colour_are_not_the_garments():
+    assert [color.words for color in read_words("a black dress with gold sequins").colors] == ["black"]

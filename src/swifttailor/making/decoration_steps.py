@@ -134,8 +134,8 @@ _OTHERS: Mapping[str, tuple[str, str]] = {
     ),
     "tucks": (
         "Tucks",
-        "Cut the fronts 0.6 cm wider for each marked line, in wholly tucked cloth if that is easier. Fold the "
-        "cloth on each line, sew 0.3 cm beside the fold, and press all folds towards the armholes.",
+        "Cut the fronts 0.6 cm wider for each marked line. Fold the cloth on each line, sew 0.3 cm beside "
+        "the fold, and press all folds towards the armholes.",
     ),
     "cowl folds": (
         "Folds of the cowl",

@@ -83,8 +83,6 @@ def _bared(end: tuple[float, float], low: float) -> tuple[tuple[float, float], t
     return (_STRIP_CM - 1.2, low + 0.55 * (end[1] - low)), (_STRIP_CM - 1.2, end[1] - 1.0)
 
 
-def _between(
-    bare: tuple[float, float], full: tuple[float, float], share: float
-) -> tuple[float, float]:
+def _between(bare: tuple[float, float], full: tuple[float, float], share: float) -> tuple[float, float]:
     """A place so far on the way from the first to the second."""
     return bare[0] + share * (full[0] - bare[0]), bare[1] + share * (full[1] - bare[1])

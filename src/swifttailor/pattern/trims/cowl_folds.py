@@ -15,7 +15,7 @@ _BEGINS, _STRAP = 2.0, 1.6
 """The first begins so far outside of the neckline, where that is highest; and so far inside of a strap's
 outer side where there is less room, cm."""
 _LINE, _MIDDLE, _UPPER = 0.24, 0.1, 0.5
-"""Half the width of what is drawn of a fold, how near to the middle it comes, and what stays free above, cm."""
+"""Half the width of what is drawn of a fold, how near to the middle it comes, what stays free above, cm."""
 _TURN = 0.44 * np.pi
 """How far round a fold is followed, of a quarter of a circle and a little less."""
 _SHORTEST = 6.0

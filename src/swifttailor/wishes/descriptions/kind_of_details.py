@@ -74,9 +74,7 @@ def within_the_name(found: Sequence[Wish], words: WordReading) -> tuple[Wish, ..
             if not isinstance(wish.change, Gain)
             or wish.change.claim in implied
             or wish.change.claim.name in spoken
-            or not (
-                wish.change.claim in against or any(exclude(wish.change.claim, other) for other in meant)
-            )
+            or not (wish.change.claim in against or any(exclude(wish.change.claim, other) for other in meant))
         ]
     )
 

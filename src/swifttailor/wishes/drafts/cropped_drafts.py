@@ -118,7 +118,7 @@ def _banded(draft: NamedDraft) -> NamedDraft:
 
 
 def _buttoned_short(cardigan: NamedDraft, length: float) -> NamedDraft:
-    """A cardigan that ends at the waist, buttoned from a higher neck to the hem; open ones stay as they are."""
+    """A cardigan that ends at the waist, buttoned from a higher neck to the hem; open ones stay open."""
     own = dict(cardigan.options)
     if float(own.get("opening", _BARELY_CM)) > _BARELY_CM or float(own.get("length", length + 1.0)) <= length:
         return cardigan

@@ -126,7 +126,7 @@ def trims_wanted(heard: Heard, draft: str = "", kind: str = "") -> tuple[TrimWis
         own = tuple([name for name in _of_garment(heard) if name in can])
         if not lack.said and lack.what in _SAID_ALONE and not own and not _is_worn_beside(heard, lack.what):
             can = ()
-        if lack.what == "lace" and not lack.said and _is_of_lace(heard):
+        if lack.what == "lace" and not lack.said and is_of_lace(heard):
             can = own = ()
         said = tuple([name for name in named if name in can])
         placed = trims_by_place(heard.text, lack.what, kind=kind, draft=draft) if lack.said else ()
@@ -176,7 +176,7 @@ def _is_knitted(heard: Heard, draft: str) -> bool:
     return not dressed and (draft == "sweatshirt" or heard.cloth in _KNITS)
 
 
-def _is_of_lace(heard: Heard) -> bool:
+def is_of_lace(heard: Heard) -> bool:
     """Whether the garment itself is of lace, whose edges need no other."""
     return any(look.part == "all" and look.cloth == "lace" for look in heard.looks.looks)
 
