@@ -55,6 +55,8 @@ def test_others_have_not(heard, text, trim):
         ("green cropped cardigan with buttons", "cardigan", {"opening": 0.0}),
         ("black thong", "briefs", {"seat": 0.1}),
         ("smock blouse", "t-shirt", {"chest_ease": 24.0}),
+        ("cream peasant blouse with short sleeves", "t-shirt", {"sleeve_shape": "balloon"}),
+        ("black jumpsuit with tuxedo lapels", "jumpsuit", {"collar": "revers"}),
     ],
 )
 def test_begins_from_the_draft_that_shows_it(heard, text, draft, options):

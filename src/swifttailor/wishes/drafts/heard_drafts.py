@@ -56,6 +56,7 @@ _OF_DETAILS: Mapping[str, tuple[str, ...]] = {
     "blazer": ("lapels", "lapel_width", "collar_width"),
     "shirt": _OF_COLLARS,
     "shirt-dress": _OF_COLLARS,
+    "jumpsuit": ("collar", "collar_width", "neck_depth"),
     "joggers": ("hip_ease", "leg_ease", "crotch_drop"),
 }
 """Options that a word about a detail tells of what another word names."""

@@ -28,7 +28,7 @@ LegHeight = Annotated[
 ]
 CloseHipEase = Annotated[float, Option("Room on top of the hip girth, all around.", "cm", 0.0, 8.0)]
 SeatCover = Annotated[
-    float, Option("How much of the seat the back covers; 0 leaves a strip in the middle.", "", 0.0, 1.0)
+    float, Option("How much of the seat the back covers; 0 leaves a strip in the middle.", "times", 0.0, 1.0)
 ]
 _CROTCH_DROP_CM = 0.0
 _BRIEFS_BAND_CM, _BRIEFS_DROP_CM = 3.0, 3.0
