@@ -39,6 +39,7 @@ FLAT = (
     "edging",
     "piping",
     "bands",
+    "narrow bands",
     "lace trim",
     "neck lace",
     "fur trim",

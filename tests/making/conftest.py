@@ -79,6 +79,8 @@ TRIMMED = {
     "hospital gown": ("shift-dress", ("back ties",)),
     "smock": ("t-shirt", ("back buttons", "back bow")),
     "corset dress": ("strapless-dress", ("back lacing", "boning")),
+    "evening shirt": ("shirt", ("tucks",)),
+    "ringer tee": ("t-shirt", ("narrow bands",)),
     "ripped jeans": ("jeans", ("fly", "rips", "frayed hem")),
     "jeans torn at the knees": ("jeans", ("knee rips",)),
     "dress buttoned to the waist": ("shirt-dress", ("waist placket",)),

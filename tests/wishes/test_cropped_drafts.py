@@ -47,3 +47,15 @@ def test_camisoles_lie_on_the_ribs(length):
 def test_cropped_camisoles_are_close_at_the_bust():
     made = cropped_as_asked(NamedDraft("camisole"), [Claim("top_hem", "cropped")])
     assert made.options == (("length", -4.0),)
+
+
+@pytest.mark.parametrize(("hem", "length"), [("cropped", 3.0), ("waist", 6.0)])
+def test_short_cardigans_are_buttoned_to_the_hem(hem, length):
+    made = dict(cropped_as_asked(NamedDraft("cardigan"), [Claim("top_hem", hem)]).options)
+    assert (made["length"], made["opening"], made["closed_to"]) == (length, 0.0, 0.0)
+
+
+@pytest.mark.parametrize("named", ["cardigan(length=-4;opening=8;closed_to=-30)", "cardigan(length=2)"])
+def test_open_ones_and_shorter_ones_stay_as_they_are(named):
+    draft_named = NamedDraft.parse(named)
+    assert cropped_as_asked(draft_named, [Claim("top_hem", "cropped")]) == draft_named

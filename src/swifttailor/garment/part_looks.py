@@ -91,7 +91,10 @@ TRIMS_OF_PARTS: Mapping[str, tuple[str, ...]] = {
     "drawstring": ("drawstring", "neck cord"),
     "frills": ("neck frill", "sleeve frills", "hem frill", "front frills", "yoke frill"),
     "fringe": ("hem fringe",),
-    "edging": ("edging", "piping", "bands", "lace trim", "neck lace", "fur trim", "neck fur", "sleeve fur"),
+    "edging": (
+        *("edging", "piping", "bands", "narrow bands", "lace trim", "neck lace"),
+        *("fur trim", "neck fur", "sleeve fur"),
+    ),
     "side_stripes": (
         *("side stripes", "satin stripes", "sleeve stripes"),
         *("three side stripes", "three sleeve stripes"),

@@ -40,7 +40,7 @@ _LOOKS_COLORED: Mapping[str, tuple[str, ...]] = {
 _COLORS = {"metal": "#8d8f94", "leather": "#4a3226", "hole": "#a9a097"}
 _IN_ANOTHER: Mapping[str, tuple[str, str]] = {
     "apron": ("#f3efe6", "#e2dccf"),
-    **dict.fromkeys(("edging", "piping", "bands"), ("#f3efe6", "#33415c")),
+    **dict.fromkeys(("edging", "piping", "bands", "narrow bands"), ("#f3efe6", "#33415c")),
     "lace trim": ("#f3efe6", "#c9bfae"),
     "neck lace": ("#f3efe6", "#c9bfae"),
     "fur trim": ("#f4f1ea", "#6d5039"),

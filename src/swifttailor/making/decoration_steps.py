@@ -19,6 +19,7 @@ _STRIPS = {
     "fur trim": "fur",
     "neck fur": "fur",
     "sleeve fur": "fur",
+    "narrow bands": "ribbing of the other colour",
 }
 """What is sewn along edges."""
 _TITLES: Mapping[str, str] = {
@@ -34,6 +35,7 @@ _TITLES: Mapping[str, str] = {
     "edging": "Edging",
     "piping": "Piping",
     "bands": "Bands along the edges",
+    "narrow bands": "Bands around neck and sleeves",
     "lace trim": "Lace",
     "fur trim": "Fur along the edges",
     "neck fur": "Fur at the neck or hood",
@@ -141,6 +143,11 @@ _OTHERS: Mapping[str, tuple[str, str]] = {
         "Boning",
         "Before the lining or facing is sewn in, sew tape of 1.5 cm behind each marked line, along both "
         "of its edges. Cut bones 1 cm shorter than the channels, round their ends, and push them in.",
+    ),
+    "tucks": (
+        "Tucks",
+        "Cut the fronts 0.6 cm wider for each marked line. Fold the cloth on each line, sew 0.3 cm beside "
+        "the fold, and press all folds towards the armholes.",
     ),
     "reflecting bands": (
         "Reflecting bands",

@@ -49,6 +49,7 @@ _LINES: Mapping[str, str] = {
     "smocking": "",
     "ruching": "",
     "cowl folds": "fold of the cowl",
+    "tucks": "tuck",
     "creases": "pressed crease",
     "pleat lines": "edge of a pleat",
     "front pleats": "edge of a pleat",

@@ -16,7 +16,7 @@ from swifttailor.wishes.instructions.changes_of_garment import named_kind
 from swifttailor.wishes.looks.heard_looks import look_refused
 from swifttailor.wishes.looks.ribs import RIBBED
 from swifttailor.wishes.trims.button_counts import buttons_stated, usual_buttons
-from swifttailor.wishes.trims.trims_wanted import TRIMS_OF, refused_trims, trims_wanted
+from swifttailor.wishes.trims.trims_wanted import TRIMS_OF, is_of_lace, refused_trims, trims_wanted
 
 _CLOSES_NECKS = ("polo placket", "half zip", "waist placket")
 _CLOSED_BY_IT = ("open_front", "hooks")
@@ -117,6 +117,7 @@ def _put_on(
             made |= {wish.what} if has and not wish.named else set()
     made |= {what for what, names in TRIMS_OF.items() if refused and refused.issuperset(names)}
     made |= set(RIBBED) if heard.ribs is not None else set()
+    made |= {"lace"} if is_of_lace(heard) else set()
     closed = any(name in (*CLOSES_FRONT, *_CLOSES_NECKS) for name in trims)
     lacks = tuple(
         [

@@ -27,6 +27,8 @@ class Briefs:
     """Where the side seam ends over the widest part of the hips, cm; more bares more of the leg."""
     crotch_drop: float
     """Below the body's crotch, cm."""
+    seat: float = 1.0
+    """How much of the seat the back covers; 0 leaves a strip in the middle."""
 
 
 def lay_briefs(table: CuttingTable, figure: Figure, shape: Briefs, waist: Halves, top_y: float) -> None:
@@ -54,7 +56,9 @@ def lay_briefs(table: CuttingTable, figure: Figure, shape: Briefs, waist: Halves
         if face == "f":
             outline.cubic("hem", (_STRIP_CM, figure.crotch_y + 3.0), (0.5 * end[0], leg_y - 4.0), end)
         else:
-            outline.cubic("hem", (_STRIP_CM + 1.0, low + 9.0), (end[0], leg_y - 12.0), end)
+            full, bare = ((_STRIP_CM + 1.0, low + 9.0), (end[0], leg_y - 12.0)), _bared(end, low)
+            first, second = [_between(*ends, shape.seat) for ends in zip(bare, full, strict=True)]
+            outline.cubic("hem", first, second, end)
         outline.cubic(
             "side",
             (end[0], leg_y + 0.35 * (top_y - leg_y)),
@@ -72,3 +76,13 @@ def lay_briefs(table: CuttingTable, figure: Figure, shape: Briefs, waist: Halves
         )
     table.seam("pant_f_l.side", "pant_b_l.side")
     table.seam("pant_b_l.inseam", "pant_f_l.inseam")
+
+
+def _bared(end: tuple[float, float], low: float) -> tuple[tuple[float, float], tuple[float, float]]:
+    """What draws the edge of the leg near to the middle of the back, up to the hips."""
+    return (_STRIP_CM - 1.2, low + 0.55 * (end[1] - low)), (_STRIP_CM - 1.2, end[1] - 1.0)
+
+
+def _between(bare: tuple[float, float], full: tuple[float, float], share: float) -> tuple[float, float]:
+    """A place so far on the way from the first to the second."""
+    return bare[0] + share * (full[0] - bare[0]), bare[1] + share * (full[1] - bare[1])

@@ -19,7 +19,7 @@ _FRONT_FRILL, _FRILLED_LEAST = 4.5, 15.0
 """Depth of frills down the front, and the shortest seam that has them, cm."""
 _TURNED_BACK = 4.0
 """Height of turned-up ends of sleeves, cm."""
-_EDGINGS = {"edging": 1.3, "piping": 0.9, "bands": 5.0, "lace trim": 3.5}
+_EDGINGS = {"edging": 1.3, "piping": 0.9, "bands": 5.0, "narrow bands": 2.2, "lace trim": 3.5}
 _NECK_LACE, _RIB, _HEM_RIB = 4.0, 2.0, 3.0
 """How wide edgings, lace around necks and ribbed bands are, cm."""
 _BOW, _BOW_TAIL = 15.0, 17.0
@@ -86,11 +86,11 @@ def hem_frill(chalk: Chalk, name: str) -> list[Trim]:
 def edging(chalk: Chalk, name: str) -> list[Trim]:
     """A strip along neck, hem and ends of sleeves or legs.
 
-    No lace lies at ends of sleeves, and no wide bands along hems where there is a neck.
+    No lace lies at ends of sleeves, and no bands along hems where there is a neck.
     """
     pattern = chalk.pattern
     neck, hem, sleeves = neck_edges(pattern), hem_edges(pattern), sleeve_ends(pattern)
-    hem = () if name == "bands" and neck else hem
+    hem = () if "bands" in name and neck else hem
     edges = (*neck, *hem, *(() if name == "lace trim" else sleeves))
     if not edges:
         edges = (*leg_ends(pattern, "l")[0], *leg_ends(pattern, "r")[0])

@@ -42,6 +42,7 @@ from swifttailor.pattern.trims.side_stripes import (
 )
 from swifttailor.pattern.trims.smocking import smocking
 from swifttailor.pattern.trims.stirrups import stirrups
+from swifttailor.pattern.trims.tucks import tucks
 from swifttailor.pattern.trims.yoke_frill import yoke_frill
 
 _PLACES: Mapping[str, Callable[[Chalk, str], list[Trim]]] = {
@@ -90,6 +91,7 @@ _PLACES: Mapping[str, Callable[[Chalk, str], list[Trim]]] = {
     "edging": decorations.edging,
     "piping": decorations.edging,
     "bands": decorations.edging,
+    "narrow bands": decorations.edging,
     "lace trim": decorations.edging,
     "neck lace": decorations.neck_lace,
     "fur trim": fur_trim,
@@ -106,6 +108,7 @@ _PLACES: Mapping[str, Callable[[Chalk, str], list[Trim]]] = {
     "shoulder bows": decorations.shoulder_bows,
     "lacing": decorations.lacing,
     "boning": boning,
+    "tucks": tucks,
     "apron": decorations.apron,
     "creases": pressed_lines.creases,
     "pleat lines": pressed_lines.pleat_lines,

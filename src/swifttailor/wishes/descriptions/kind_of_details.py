@@ -65,6 +65,8 @@ def within_the_name(found: Sequence[Wish], words: WordReading) -> tuple[Wish, ..
         return tuple(found)
     meant = [i.claim for i in words.implications if not i.said and i.certainty != "likely"]
     implied, spoken = {i.claim for i in words.implications}, subjects_spoken_of(words)
+    named = [mark for mark in words.marks if mark.role == "garment" and not mark.denied]
+    against = {claim for mark in named for entry in mark.entries for claim in entry.against}
     return tuple(
         [
             wish
@@ -72,7 +74,7 @@ def within_the_name(found: Sequence[Wish], words: WordReading) -> tuple[Wish, ..
             if not isinstance(wish.change, Gain)
             or wish.change.claim in implied
             or wish.change.claim.name in spoken
-            or not any(exclude(wish.change.claim, other) for other in meant)
+            or not (wish.change.claim in against or any(exclude(wish.change.claim, other) for other in meant))
         ]
     )
 

@@ -17,6 +17,7 @@ _CROPPED: Mapping[str, tuple[str, Mapping[str, float]]] = {
     ),
     **dict.fromkeys(("sweatshirt", "hoodie"), ("chest_ease", {"cropped": 6.0, "waist": 7.0})),
     "camisole": ("chest_ease", {"cropped": -4.0}),
+    "cardigan": ("chest_ease", {"cropped": 3.0, "waist": 6.0}),
     **dict.fromkeys(
         ("t-shirt", "shirt", "turtleneck", "tank-top"), ("chest_ease", {"cropped": -2.0, "waist": 1.0})
     ),
@@ -37,6 +38,17 @@ _JACKETS = frozenset({"turtleneck", "blazer", "cardigan", "shirt", "denim-jacket
 _BANDED = frozenset({"denim-jacket", "bomber-jacket", "sweatshirt", "hoodie"})
 _CROPPED_BANDED: Mapping[str, float] = {"chest_ease": 11.0, "hem_band_ease": 1.0}
 """Room of what a band ends at the waist: bands that are higher or wider stand off like a shelf."""
+_BARELY_CM = 2.0
+"""Fronts that have moved back by more are worn open."""
+_SHORT_CARDIGAN: Mapping[str, float] = {
+    "neck_depth": 18.0,
+    "chest_ease": 6.0,
+    "opening": 0.0,
+    "closed_to": 0.0,
+    "waist_shaping": 2.0,
+    "armhole_drop": 4.0,
+    "arm_ease": 9.0,
+}
 _PADDED_CM, _BOMBER = 18.0, "bomber-jacket"
 """Jackets on a standing collar with so much room are padded; where they are short, a band draws them in."""
 _KEPT: Mapping[str, tuple[float, float]] = {
@@ -72,6 +84,8 @@ def cropped_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     if not asked:
         return draft
     own = dict(draft.options)
+    if draft.name == "cardigan":
+        return _buttoned_short(draft, asked[0])
     if own.get("waist_shaping") and 0.0 <= asked[0] <= float(own.get("length", 99.0)) <= SHAPED_TO_CM:
         return draft
     options = {**own, "length": asked[0]}
@@ -101,3 +115,11 @@ def _banded(draft: NamedDraft) -> NamedDraft:
     own = dict(draft.options)
     kept = {n: min(max(float(own[n]), low), high) for n, (low, high) in _KEPT.items() if n in own}
     return NamedDraft(_BOMBER, tuple(kept.items()))
+
+
+def _buttoned_short(cardigan: NamedDraft, length: float) -> NamedDraft:
+    """A cardigan that ends at the waist, buttoned from a higher neck to the hem; open ones stay open."""
+    own = dict(cardigan.options)
+    if float(own.get("opening", _BARELY_CM)) > _BARELY_CM or float(own.get("length", length + 1.0)) <= length:
+        return cardigan
+    return replace(cardigan, options=tuple({**_SHORT_CARDIGAN, **own, "length": length}.items()))

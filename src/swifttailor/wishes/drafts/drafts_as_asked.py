@@ -69,7 +69,7 @@ _V_NECKED = (
     "empire-dress",
 )
 _V_WIDENING_CM, _V_DEPTH_CM = 1.0, 16.0
-_OF_TANKS = ("length", "chest_ease", "neck_depth", SIDE_SLITS)
+_OF_TANKS = ("length", "chest_ease", "flare", "neck_depth", SIDE_SLITS)
 _SLEEVELESS = {"strap_width": 8.0, "neck_widening": 2.0, "neck_depth": 10.0, "back_neck_depth": 3.0}
 _SWEATSHIRT = "sweatshirt"
 _FLAT = ("collar", "folded")

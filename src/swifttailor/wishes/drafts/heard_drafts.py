@@ -58,6 +58,7 @@ _OF_DETAILS: Mapping[str, tuple[str, ...]] = {
     "blazer": ("lapels", "lapel_width", "collar_width"),
     "shirt": _OF_COLLARS,
     "shirt-dress": _OF_COLLARS,
+    "jumpsuit": ("collar", "collar_width", "neck_depth"),
     "joggers": ("hip_ease", "leg_ease", "crotch_drop"),
 }
 """Options that a word about a detail tells of what another word names."""
@@ -74,6 +75,7 @@ _KNITTED, _CORDUROY = ("jersey", "rib-knit"), "twill"
 _COATS, _JACKETS = ("coat", "hooded-coat", "cape"), ("blazer", "turtleneck")
 """Drafts of what is worn over other clothes and open in front, long and short."""
 _STRAPLESS = ("bandeau", "bustier", "strapless-dress", "strapless-jumpsuit")
+_BUSTIER, _STRAPS = "bustier", ("straps", True)
 _SHAWL = ("lapels", "shawl")
 _SHAWL_CARDIGAN = NamedDraft(
     "blazer", (_SHAWL, ("chest_ease", 13.0), ("waist_shaping", 0.5), ("neck_depth", 28.0))
@@ -106,7 +108,8 @@ def drafts_of(heard: Heard) -> tuple[NamedDraft, ...]:
     fitting = [low_as_asked(draft, sure) for draft in gored_as_said(fitting, heard.text)]
     fitting = [close_skirt_as_asked(draft, sure, _said_claims(heard)) for draft in fitting]
     if any(claim.name == "straps" for claim in sure):
-        fitting = [draft for draft in fitting if draft.name not in _STRAPLESS] or fitting
+        fitting = [_on_straps(draft) for draft in fitting]
+        fitting = [draft for draft in fitting if not _is_strapless(draft)] or fitting
     if asks_for_mandarin_collar(entries):
         fitting = [with_mandarin_collar(draft) for draft in fitting]
     if asks_for_sailor_collar(entries):
@@ -124,6 +127,15 @@ def drafts_of(heard: Heard) -> tuple[NamedDraft, ...]:
     opened = [opened_as_asked(draft, sure, wanted) for draft in closed]
     found = dict.fromkeys([hem_as_asked(draft, sure, wanted, _denied(heard)) for draft in opened])
     return tuple(sorted(found, key=lambda draft: wanted.isdisjoint(draft.shows)))
+
+
+def _on_straps(draft: NamedDraft) -> NamedDraft:
+    """A bustier on thin straps; others as they are."""
+    return replace(draft, options=(*draft.options, _STRAPS)) if draft.name == _BUSTIER else draft
+
+
+def _is_strapless(draft: NamedDraft) -> bool:
+    return draft.name in _STRAPLESS and _STRAPS not in draft.options
 
 
 def _entries(heard: Heard) -> list[Entry]:

@@ -35,7 +35,7 @@ TRIMS_OF: Mapping[str, tuple[str, ...]] = {
     "french_cuffs": ("sleeve turn-ups",),
     "padding": ("quilting",),
     "ties": ("tie belt", "neck bow", "waist bow", "shoulder bows", "back bow", "back ties"),
-    "braid": ("edging", "piping", "bands"),
+    "braid": ("edging", "piping", "bands", "narrow bands"),
     "lace": ("lace trim", "neck lace"),
     "fur": ("neck fur", "fur trim", "sleeve fur"),
     "side_stripes": ("side stripes", "satin stripes", "sleeve stripes", *THREE),
@@ -43,6 +43,7 @@ TRIMS_OF: Mapping[str, tuple[str, ...]] = {
     "frills": _FRILLS,
     "lacing": ("lacing",),
     "boning": ("boning",),
+    "tucks": ("tucks",),
     "rib_bands": ("neck rib", "armhole ribs", "hem rib"),
     "fringe": ("hem fringe",),
     "apron": ("apron",),
@@ -145,6 +146,8 @@ def trims_wanted(heard: Heard, draft: str = "", kind: str = "") -> tuple[TrimWis
             can = ()
         if lack.what == "buttons" and not lack.said and _is_closed_otherwise(heard, named, own, draft):
             continue
+        if lack.what == "lace" and not lack.said and is_of_lace(heard):
+            can = own = ()
         said = tuple([name for name in named if name in can])
         if draft in _HOODED:  # that of a hoodie
             said = tuple([_KANGAROO if name == "front pocket" else name for name in said])
@@ -166,7 +169,7 @@ def trims_wanted(heard: Heard, draft: str = "", kind: str = "") -> tuple[TrimWis
         if choices:
             found.append(TrimWish(lack.what, lack.said, choices, bool(said)))
     if draft in _RIBBED and not any(wish.what == _RIBS for wish in found) and _is_knitted(heard, draft):
-        found.append(TrimWish(_RIBS, False, (("neck rib", "armhole ribs"), ("neck rib",))))
+        found.append(TrimWish(_RIBS, False, (("neck rib", "armhole ribs"), ("neck rib",), ("armhole ribs",))))
     if draft in _FOR_JACKETS and not any(wish.what == "buttons" for wish in found) and _is_a_jacket(heard):
         pocketed = () if any(wish.what == "pockets" for wish in found) else (("buttons", "welt pockets"),)
         found.append(TrimWish("buttons", False, (*pocketed, ("buttons",))))
@@ -206,6 +209,11 @@ def _is_knitted(heard: Heard, draft: str) -> bool:
         name in _named(heard) for group in LIKE_EACH_OTHER if "neck frill" in group for name in group
     )
     return not dressed and (draft == "sweatshirt" or heard.cloth in _KNITS)
+
+
+def is_of_lace(heard: Heard) -> bool:
+    """Whether the garment itself is of lace, whose edges need no other."""
+    return any(look.part == "all" and look.cloth == "lace" for look in heard.looks.looks)
 
 
 def _is_worn_beside(heard: Heard, what: str) -> bool:

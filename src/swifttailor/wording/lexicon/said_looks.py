@@ -356,10 +356,17 @@ class _Reader:
         category = category_of(mark)
         if category in ("garments", "accessories", "parts"):
             return True
+        if self._covers_all(mark):
+            return False
         if category == "styles" and (mark.part is not None or put_on(mark) or is_detail(mark)):
             said = mark.entries[0].english or mark.word.lower()  # "plissada" is "pleated", and no noun
             return not said.endswith(("ed", "less", "puffy", "frilly", "lacy", "fluffy"))
         return False
+
+    def _covers_all(self, mark: WordMark) -> bool:
+        """Whether it is the cloth that one sees: gold sequins, where nothing else has a colour."""
+        colors = [each for each in self._marks if category_of(each) == "colors" and is_look(each)]
+        return len(colors) == 1 and any("sequins" in entry.cannot for entry in mark.entries)
 
     def _is_worn_over(self, mark: WordMark) -> bool:
         """Whether it is put on another garment: the apron of "a dirndl with a white apron"."""

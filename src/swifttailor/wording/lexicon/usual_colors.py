@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 from functools import cache
 
 from swifttailor.wording.lexicon.entries import Entry
@@ -11,6 +12,8 @@ from swifttailor.wording.lexicon.vocabulary import WORDS, vocabulary
 from swifttailor.wording.word_tables import read_table
 
 TABLE = "usual_colors.txt"
+_CLOTHS = "cloths"
+"""The section of the names of cloths."""
 _NAMED = frozenset(["garments", "fabrics", "occasions"])
 """Categories whose words have such colours."""
 
@@ -28,15 +31,24 @@ def usual_color(word: str, entry: Entry) -> str | None:
     keys = [" ".join(own), *[" ".join(words_of(s.word, "en")) for s in vocabulary("en").find(own)]]
     for key in keys:  # of names with two spellings, "qi pao", the one that was said
         found = _colors().get(key)
-        if found is not None:
-            return found
+        if found is not None and not (found.of_cloth and entry.category == "garments"):
+            return found.rgb
     return entry.color
 
 
+@dataclass(frozen=True)
+class _Usual:
+    """What a row says of a word."""
+
+    rgb: str
+    of_cloth: bool
+    """Whether the word names a cloth there: a teddy of silk is not of teddy's colour."""
+
+
 @cache
-def _colors() -> Mapping[str, str]:
+def _colors() -> Mapping[str, _Usual]:
     """The colours of the table, by the words of the English tables."""
-    found: dict[str, str] = {}
+    found: dict[str, _Usual] = {}
     for row in read_table(WORDS / TABLE):
         rgb = row.options.get("rgb", ())
         if len(rgb) != 1 or len(row.options) > 1 or row.claims or row.words or row.numbers:
@@ -47,5 +59,5 @@ def _colors() -> Mapping[str, str]:
                 row.wrong(f"'{text}' stands here twice.")
             if not any(s.entry.category in _NAMED for s in vocabulary("en").senses.get(key, ())):
                 row.wrong(f"'{text}' names no garment, cloth or occasion in the English tables.")
-            found[key] = rgb[0]
+            found[key] = _Usual(rgb[0], row.section == _CLOTHS)
     return found

@@ -150,6 +150,7 @@ class HoodieOptions(BandedOptions):
     neck_depth: declared.HighNeckDepth = 10.0
     hood_height: declared.HoodHeight = 4.0
     hood_depth: declared.HoodDepth = 4.0
+    sleeves: declared.Sleeves = True
     armhole: RaglanOption = "set-in"
 
 
@@ -157,9 +158,10 @@ def draft_hoodie(options: HoodieOptions, measurements: Measurements) -> Pattern:
     """Drafts the hoodie for a body."""
     figure, table = Figure.of(measurements), CuttingTable("hoodie")
     neckline = Neckline("round", options.neck_widening, options.neck_depth, 2.0)
-    _lay_bodice(table, figure, options, neckline)
+    _lay_bodice(table, figure, options, neckline, sleeves=options.sleeves)
     lay_hood(table, figure, Hood(options.hood_height, options.hood_depth))
-    _lay_sleeve(table, figure, options, options.armhole)
+    if options.sleeves:
+        _lay_sleeve(table, figure, options, options.armhole)
     return _finished(table, figure, options, sew_hood)
 
 

@@ -27,6 +27,9 @@ LegHeight = Annotated[
     ),
 ]
 CloseHipEase = Annotated[float, Option("Room on top of the hip girth, all around.", "cm", 0.0, 8.0)]
+SeatCover = Annotated[
+    float, Option("How much of the seat the back covers; 0 leaves a strip in the middle.", "times", 0.0, 1.0)
+]
 _CROTCH_DROP_CM = 0.0
 _BRIEFS_BAND_CM, _BRIEFS_DROP_CM = 3.0, 3.0
 """Height of the band of briefs, and by how much they reach lower than what hangs from the shoulders."""
@@ -39,6 +42,7 @@ class BriefsOptions:
     hip_ease: CloseHipEase = 3.0
     leg_height: LegHeight = 1.0
     below_waist: declared.BelowWaist = 6.0
+    seat: SeatCover = 1.0
     stretch: declared.ClothStretch = 8.0
 
 
@@ -48,7 +52,7 @@ def draft_briefs(options: BriefsOptions, measurements: Measurements) -> Pattern:
     table = CuttingTable("briefs", options.stretch / 100)
     low = band_below_waist(figure, options.below_waist, _BRIEFS_BAND_CM)
     waist = lay_body_waist_band(table, figure, _BRIEFS_BAND_CM, 0.0, low)
-    cut = Briefs(options.hip_ease, options.leg_height, _BRIEFS_DROP_CM)
+    cut = Briefs(options.hip_ease, options.leg_height, _BRIEFS_DROP_CM, options.seat)
     lay_briefs(table, figure, cut, waist, figure.waist_y - low - _BRIEFS_BAND_CM)
     table.mirror()
     sew_legs(table)

@@ -31,6 +31,8 @@ StrapWidth = Annotated[float, Option("Width of the straps.", "cm", 1.0, 4.0)]
 StraplessEase = Annotated[float, Option("Room on top of the bust girth, all around.", "cm", 0.0, 6.0)]
 HeldWaistEase = Annotated[float, Option("Room on top of the waist girth, all around.", "cm", -1.0, 4.0)]
 HeartDip = Annotated[float, Option("Fall of the heart in the middle; 0 is straight.", "cm", 0.0, 8.0)]
+_BUSTIER_STRAP_CM, _HELD_EASE_CM = 1.8, 2.0
+"""Straps of a bustier, and its room beside one that has to hold itself, cm."""
 FrontDip = Annotated[float, Option("Fall of the front between the straps.", "cm", 0.0, 8.0)]
 
 
@@ -93,10 +95,19 @@ class BustierOptions:
     bust_ease: StraplessEase = 1.0
     waist_ease: HeldWaistEase = 0.0
     dip: HeartDip = 4.5
+    straps: Annotated[bool, Option("Hold it on thin straps, its upper edge round between them.")] = False
 
 
 def draft_bustier(options: BustierOptions, measurements: Measurements) -> Pattern:
     """Drafts the bustier for a body: its close waist holds it up."""
+    if options.straps:
+        bust, waist = options.bust_ease + _HELD_EASE_CM, options.waist_ease + _HELD_EASE_CM
+        held = FittedStrapBodice(_BUSTIER_STRAP_CM, bust, waist, options.dip)
+        table = CuttingTable("bustier")
+        lay_fitted_strap_bodice(table, Figure.of(measurements), held)
+        table.mirror()
+        sew_centres(table)
+        return table.finish()
     bodice = StraplessBodice(options.bust_ease, options.waist_ease, options.dip)
     return _strapless("bustier", bodice, measurements)
 
