@@ -86,6 +86,12 @@ TRIMMED = {
     "working trousers": ("trousers", ("knee patches", "thigh pocket", "back elastic")),
     "jeans torn at the left": ("jeans", ("left knee rip",)),
     "jeans torn at the right": ("jeans", ("right knee rip",)),
+    "smocked top": ("peplum-top", ("smocking",)),
+    "ruched dress": ("fitted-dress", ("ruching", "cut-outs")),
+    "draped gown": ("fitted-dress", ("draped folds",)),
+    "tucked blouse": ("shirt", ("pintucks", "yoke")),
+    "princess dress": ("skater-dress", ("princess seams",)),
+    "paper bag trousers": ("pull-on-trousers", ("waist frill", "scalloped edge")),
     "flapper dress": ("drop-waist-dress", ("hem fringe", "neck cord")),
 }
 """Name of a draft and what is put on it: between them all trims that there are."""

@@ -160,6 +160,51 @@ _OTHERS: Mapping[str, tuple[str, str]] = {
         "Cut the marked pieces from the other cloth, with allowances, and the panels so much narrower; "
         "sew them to each other before the side seams.",
     ),
+    "smocking": (
+        "Smocking",
+        "Cut the smocked panels twice as wide as they are drawn. Sew along the marked rows with elastic "
+        "thread on the bobbin, stretching what is sewn already, and steam the cloth.",
+    ),
+    "ruching": (
+        "Ruching",
+        "Cut the panels half as long again as they are drawn, gather their side edges to the drawn length, "
+        "and sew the side seams over a tape of that length.",
+    ),
+    "draped folds": (
+        "Draped folds",
+        "Cut the front wider where the marked folds meet, lay it in folds along the marks, and baste them at "
+        "the side seam before it is sewn.",
+    ),
+    "pintucks": (
+        "Pintucks",
+        "Cut the fronts 4 mm wider for each tuck. Fold along each mark, sew 2 mm beside the fold, and press "
+        "the tucks away from the middle.",
+    ),
+    "princess seams": (
+        "Princess seams",
+        "Cut the panels apart along the marks, with allowances on both sides, and sew them together again "
+        "before the side seams; darts on the way are taken up by the seam.",
+    ),
+    "yoke": (
+        "Yoke",
+        "Cut the panels apart along the mark, with allowances on both sides, sew them together again, and "
+        "topstitch the seam.",
+    ),
+    "cut-outs": (
+        "Cut-outs",
+        "Face the marked openings before the side seams are sewn: sew a piece of cloth to each along the "
+        "mark, cut it out, and turn the facing in.",
+    ),
+    "scalloped edge": (
+        "Scallops along the hem",
+        "Cut a facing of 7 cm along the hem, draw arcs of 5 cm below the hem line, sew the facing on along "
+        "them, right sides together, clip the corners, and turn it.",
+    ),
+    "waist frill": (
+        "Frill above the waistband",
+        "Cut the waistband 12 cm higher. Fold its upper edge in by 4 cm, and sew it down where the frill "
+        "begins.",
+    ),
     "apron": (
         "Apron",
         "Cut the marked piece once more, with allowances. Hem its sides and lower edge, and catch its upper "

@@ -50,6 +50,12 @@ _LINES: Mapping[str, str] = {
     "pleat lines": "edge of a pleat",
     "front pleats": "edge of a pleat",
     "diagonal closing": "piping",
+    "smocking": "",
+    "ruching": "gathers",
+    "draped folds": "fold",
+    "pintucks": "edge of a tuck",
+    "princess seams": "princess seam",
+    "yoke": "seam of the yoke",
 }
 
 

@@ -88,6 +88,15 @@ TRIMS: Mapping[str, str] = {
     "reflecting bands": "two bands of reflecting tape",
     "asymmetric zip": "a zip aslant across the front",
     "storm flap": "a flap over the right shoulder",
+    "smocking": "rows of smocking on the bodice",
+    "ruching": "ruching along the side seams",
+    "draped folds": "folds drawn across the front",
+    "pintucks": "pintucks beside the middle of the front",
+    "princess seams": "princess seams",
+    "yoke": "a yoke",
+    "cut-outs": "cut-outs at the waist",
+    "waist frill": "a frill above the waistband",
+    "scalloped edge": "arcs along the hem",
 }
 """By name, what each is for people. None joins panels, so none changes how a garment is cut or hangs."""
 LIKE_EACH_OTHER = (
@@ -105,7 +114,7 @@ LIKE_EACH_OTHER = (
     ("elastic waist", "back elastic"),
     ("cargo pockets", "thigh pocket"),
     ("kangaroo pocket", "front pocket"),
-    ("hem frill", "hem fringe", "hem rib", "frayed hem"),
+    ("hem frill", "hem fringe", "hem rib", "frayed hem", "scalloped edge"),
     ("edging", "piping", "bands", "lace trim"),
     ("neck lace", "lace trim"),
     ("side stripes", "three side stripes", "side panels"),
@@ -113,6 +122,8 @@ LIKE_EACH_OTHER = (
     ("back pockets", "back welt pockets"),
     ("sleeve frills", "sleeve turn-ups"),
     ("neck frill", "neck bow", "neck cord"),
+    ("smocking", "ruching", "draped folds", "pintucks", "boning"),
+    ("yoke", "yoke frill", "smocking"),
     ("creases", "pleat lines"),
     ("front pleats", "pleat lines"),
     ("back zip", "back ties", "back buttons", "back lacing"),

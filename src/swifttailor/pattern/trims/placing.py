@@ -16,10 +16,13 @@ from swifttailor.pattern.trims import (
     pockets,
     pressed_lines,
     quilting,
+    ruching,
+    seam_lines,
 )
 from swifttailor.pattern.trims.arm_slits import arm_slits
 from swifttailor.pattern.trims.boning import boning
 from swifttailor.pattern.trims.chalk import Chalk
+from swifttailor.pattern.trims.cut_outs import cut_outs
 from swifttailor.pattern.trims.diagonal_closing import diagonal_closing
 from swifttailor.pattern.trims.epaulettes import epaulettes
 from swifttailor.pattern.trims.keyholes import keyhole
@@ -34,7 +37,9 @@ from swifttailor.pattern.trims.side_stripes import (
     three_side_stripes,
     three_sleeve_stripes,
 )
+from swifttailor.pattern.trims.smocking import smocking
 from swifttailor.pattern.trims.stirrups import stirrups
+from swifttailor.pattern.trims.waist_frill import waist_frill
 from swifttailor.pattern.trims.yoke_frill import yoke_frill
 
 _PLACES: Mapping[str, Callable[[Chalk, str], list[Trim]]] = {
@@ -118,6 +123,15 @@ _PLACES: Mapping[str, Callable[[Chalk, str], list[Trim]]] = {
     "reflecting bands": reflecting_bands,
     "asymmetric zip": across_front.asymmetric_zip,
     "storm flap": across_front.storm_flap,
+    "smocking": smocking,
+    "ruching": ruching.ruching,
+    "draped folds": ruching.draped_folds,
+    "pintucks": seam_lines.pintucks,
+    "princess seams": seam_lines.princess_seams,
+    "yoke": seam_lines.yoke,
+    "cut-outs": cut_outs,
+    "waist frill": waist_frill,
+    "scalloped edge": decorations.scalloped_edge,
 }
 """How each of `names.TRIMS` is marked."""
 

@@ -54,6 +54,15 @@ TRIMS_OF: Mapping[str, tuple[str, ...]] = {
     "reflective": ("reflecting bands",),
     "storm_flap": ("storm flap",),
     "knee_patches": ("knee patches",),
+    "smocking": ("smocking",),
+    "ruching": ("ruching",),
+    "draped": ("draped folds",),
+    "tucks": ("pintucks",),
+    "princess_seams": ("princess seams",),
+    "yoke": ("yoke",),
+    "cut_outs": ("cut-outs",),
+    "paperbag": ("waist frill",),
+    "scallops": ("scalloped edge",),
     "keyhole": ("keyhole",),
     "keyhole_back": ("back keyhole",),
     "epaulettes": ("epaulettes",),
@@ -79,7 +88,12 @@ _WRAPS = frozenset({"wrap-dress", "wrap-top", "robe"})
 _HOODED = frozenset({"hoodie", "hooded-coat"})
 _RIBS, _RIBBED = "rib_bands", frozenset({"t-shirt", "tank-top", "sweatshirt"})
 _KNITS = frozenset({"jersey", "rib-knit", "sweatshirt", "fleece"})
-_SAID_ALONE = frozenset({"lace", "braid", "apron", "boning", "pleats"})
+_SAID_ALONE = frozenset(
+    {
+        *("lace", "braid", "apron", "boning", "pleats", "draped", "yoke", "smocking", "ruching", "tucks"),
+        *("princess_seams", "cut_outs", "scallops"),
+    }
+)
 """What is put on only where the text itself asks for it, or a row of the tables has its trim."""
 _LOWER = ("trousers", "shorts")
 _FOR_JACKETS, _TAILORED = frozenset({"cardigan", "turtleneck"}), "blazer"
