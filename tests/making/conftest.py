@@ -95,6 +95,10 @@ TRIMMED = {
     "cold shoulder top": ("t-shirt", ("shoulder cut-outs",)),
     "cut-out dress": ("fitted-dress", ("waist cut-outs", "back cut-out")),
     "patched jumper": ("sweatshirt", ("elbow patches",)),
+    "draped gown": ("fitted-dress", ("draped folds",)),
+    "tucked blouse": ("shirt", ("yoke",)),
+    "princess dress": ("skater-dress", ("princess seams",)),
+    "paper bag trousers": ("pull-on-trousers", ("waist frill", "scalloped edge")),
     "flapper dress": ("drop-waist-dress", ("hem fringe", "neck cord")),
 }
 """Name of a draft and what is put on it: between them all trims that there are."""

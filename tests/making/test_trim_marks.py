@@ -44,6 +44,7 @@ NAMES = (
     "hospital gown", "smock", "corset dress",
     "ripped jeans", "jeans torn at the knees", "dress buttoned to the waist", "cycling jersey", "tabard",
     "working trousers", "jeans torn at the left", "jeans torn at the right",
+    *("smocked top", "ruched dress", "draped gown", "tucked blouse", "princess dress", "paper bag trousers"),
     "flapper dress",
 )  # fmt: skip
 

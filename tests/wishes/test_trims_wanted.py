@@ -54,6 +54,16 @@ def heard(text: str) -> Heard:
         ("ripped jeans with a hole in the right knee", "trousers", ("right knee rip",)),
         ("a hole in the left knee and a hole in the right knee", "trousers", ("knee rips",)),
         ("jeans déchirés aux genoux", "trousers", ("knee rips",)),
+        ("a smocked top", "top", ("smocking",)),
+        ("a long dress with a shirred bodice", "dress", ("smocking",)),
+        ("a smocked skirt", "skirt", ("elastic waist",)),
+        ("a ruched top", "top", ("ruching",)),
+        ("a draped evening gown", "dress", ("draped folds",)),
+        ("a blouse with pintucks", "top", ("tucks",)),
+        ("a navy dress with princess seams", "dress", ("princess seams",)),
+        ("a black dress with cut outs at the waist", "dress", ("waist cut-outs",)),
+        ("a top with a scalloped hem", "top", ("scalloped edge",)),
+        ("a skirt with a front yoke", "skirt", ("yoke",)),
     ],
 )
 def test_what_is_wanted_first(text, kind, first):
@@ -87,10 +97,13 @@ def test_what_is_wanted_first(text, kind, first):
         ("ruched dress", {"ruching"}),
         ("hoodie dress", {"kangaroo pocket"}),
         ("a strappy dress with a shirred bodice", {"smocking"}),
-        ("smock dress", set()),
         ("cardigan dress", {"buttons", "patch pockets"}),
         ("cheer dress", set()),
         ("cheerleader dress", {"bands"}),
+        ("milkmaid dress", {"smocking"}),
+        ("cut out dress", {"waist cut-outs"}),
+        ("paper bag skirt", {"waist frill", "tie belt"}),
+        ("smock dress", set()),  # which is wide, whatever its name says
         ("wedding dress", set()),  # which may have lace, but need not
     ],
 )

@@ -32,6 +32,12 @@ tulip dress              : kind=dress skirt=narrowing skirt_hem=knee
 petal hem dress          : kind=dress hem_shape=scalloped
 slinky dress             : kind=dress fit=close hips=close
 ruched mini dress        : kind=dress fit=close skirt_hem=mini
+smocked maxi dress       : kind=dress fit=close skirt=gathered skirt_hem=maxi
+paper bag midi skirt     : kind=skirt skirt=gathered skirt_hem=midi
+light blue jeans         : kind=trousers leg_hem=full
+a boned top              : kind=top shoulders=strapless fit=close
+a tent shape dress       : kind=dress bodice=flared
+a flowy midi skirt       : kind=skirt skirt=flared skirt_hem=midi
 rib knit dress           : kind=dress fit=close sleeves=long
 rugby dress              : kind=dress collar=lapel sleeves=long
 utility dress            : kind=dress collar=lapel sleeves=long waist_seam=natural

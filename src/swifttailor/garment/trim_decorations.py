@@ -33,6 +33,8 @@ _HANGS = 0.7
 _STANDS_OUT = 0.6
 """How much of that of a frill around the neck is away from the body."""
 _LACES = ("lace trim", "neck lace")
+_SCALLOPS, _SCALLOP_WIDTH = "scalloped edge", 5.0
+"""A border of arcs alone, and how wide they are, cm."""
 _ARC, _SCALLOP, _LACE_ROWS = 2.6, 0.3, 9
 """Of lace: width of the arcs of its border, how deep they are as a part of it, and its rows of meshes."""
 _THREADS_APART, _THREAD = 0.8, 0.18
@@ -54,6 +56,12 @@ def frill_meshes(garment: Garment, frill: Frill) -> list[TrimMesh]:
     for line, away, normals in _runs(garment, frill):
         if frill.trim in _LACES:
             vertices, faces, lines = _lace(line + _FLAT_LIFT * normals, -away, normals, frill.depth)
+            found.append(TrimMesh(frill.trim, "cloth", vertices, faces, lines))
+            continue
+        if frill.trim == _SCALLOPS:
+            vertices, faces, lines = _lace(
+                line, away, normals, frill.depth, arc=_SCALLOP_WIDTH, is_pierced=False
+            )
             found.append(TrimMesh(frill.trim, "cloth", vertices, faces, lines))
             continue
         if frill.kind == "flat":
@@ -238,10 +246,18 @@ def _strip(
     return rows.reshape(-1, 3), faces, lines.astype(np.int32)
 
 
-def _lace(line: Floats, ways: Floats, normals: Floats, depth: float) -> tuple[Floats, Ints, Ints]:
+def _lace(
+    line: Floats,
+    ways: Floats,
+    normals: Floats,
+    depth: float,
+    *,
+    arc: float = _ARC,
+    is_pierced: bool = True,
+) -> tuple[Floats, Ints, Ints]:
     """A flat strip with a border of arcs, holes in rows, and lines around them; as `_strip` returns it."""
     at = _travelled(line)
-    arcs = max(round(float(at[-1]) / _ARC), 1)
+    arcs = max(round(float(at[-1]) / arc), 1)
     share = np.linspace(0.0, 1.0, _LACE_ROWS)[:, None]
     reach = depth * (1.0 - _SCALLOP + _SCALLOP * np.abs(np.sin(np.pi * arcs * at / at[-1])))
     rows = line + (share * reach)[..., None] * ways + _LIFT * normals
@@ -249,7 +265,7 @@ def _lace(line: Floats, ways: Floats, normals: Floats, depth: float) -> tuple[Fl
     grid = np.arange(_LACE_ROWS * count).reshape(_LACE_ROWS, count)
     quads = np.stack([grid[:-1, :-1], grid[:-1, 1:], grid[1:, 1:], grid[1:, :-1]], axis=-1)
     row, column = np.indices(quads.shape[:2])
-    holes = (row % 2 == 1) & ((column + row) % 4 == 0) & (row < _LACE_ROWS - 2)
+    holes = (row % 2 == 1) & ((column + row) % 4 == 0) & (row < _LACE_ROWS - 2) & is_pierced
     kept = quads[~holes]
     faces = np.concatenate([kept[:, [0, 1, 2]], kept[:, [0, 2, 3]]]).astype(np.int32)
     edges = [np.stack([one[:-1], one[1:]], axis=1) for one in (grid[0], grid[-1])]

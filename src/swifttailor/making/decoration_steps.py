@@ -209,6 +209,31 @@ _OTHERS: Mapping[str, tuple[str, str]] = {
         "Cut the marked pieces from the other cloth, with allowances, and the panels so much narrower; "
         "sew them to each other before the side seams.",
     ),
+    "draped folds": (
+        "Draped folds",
+        "Cut the front wider where the marked folds meet, lay it in folds along the marks, and baste them at "
+        "the side seam before it is sewn.",
+    ),
+    "princess seams": (
+        "Princess seams",
+        "Cut the panels apart along the marks, with allowances on both sides, and sew them together again "
+        "before the side seams; darts on the way are taken up by the seam.",
+    ),
+    "yoke": (
+        "Yoke",
+        "Cut the panels apart along the mark, with allowances on both sides, sew them together again, and "
+        "topstitch the seam.",
+    ),
+    "scalloped edge": (
+        "Scallops along the hem",
+        "Cut a facing of 7 cm along the hem, draw arcs of 5 cm below the hem line, sew the facing on along "
+        "them, right sides together, clip the corners, and turn it.",
+    ),
+    "waist frill": (
+        "Frill above the waistband",
+        "Cut the waistband 12 cm higher. Fold its upper edge in by 4 cm, and sew it down where the frill "
+        "begins.",
+    ),
     "apron": (
         "Apron",
         "Cut the marked piece once more, with allowances. Hem its sides and lower edge, and catch its upper "

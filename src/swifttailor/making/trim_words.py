@@ -47,7 +47,7 @@ _LINES: Mapping[str, str] = {
     "back buttons": "edge of the upper half",
     "boning": "channel of a bone",
     "smocking": "",
-    "ruching": "",
+    "ruching": "gathers",
     "cowl folds": "fold of the cowl",
     "tucks": "tuck",
     "creases": "pressed crease",
@@ -55,6 +55,9 @@ _LINES: Mapping[str, str] = {
     "front pleats": "edge of a pleat",
     "diagonal closing": "piping",
     "shoulder drape": "fold",
+    "draped folds": "fold",
+    "princess seams": "princess seam",
+    "yoke": "seam of the yoke",
 }
 
 

@@ -111,14 +111,19 @@ SHOULD_HAVE = {
     "reflecting bands": ("t-shirt", "waistcoat", "bomber-jacket", "cardigan", "trousers", "joggers"),
     "asymmetric zip": ("turtleneck", "blazer", "coat", "denim-jacket", "t-shirt"),
     "storm flap": ("coat", "blazer", "hooded-coat", "turtleneck"),
-    "smocking": ("skater-dress", "empire-dress", "strappy-dress", "strapless-dress", "t-shirt", "bustier"),
-    "ruching": ("fitted-dress", "fitted-skirt", "t-shirt", "bustier", "shift-dress"),
     "cowl folds": ("slip-dress", "camisole", "t-shirt", "fitted-dress"),
     "shoulder drape": ("fitted-dress", "shift-dress", "t-shirt"),
     "shoulder cut-outs": ("t-shirt", "shirt", "shirt-dress", "sweatshirt", "turtleneck"),
     "waist cut-outs": ("fitted-dress", "skater-dress", "shift-dress", "jumpsuit", "bodysuit", "t-shirt"),
     "back cut-out": ("fitted-dress", "skater-dress", "shift-dress", "shirt", "t-shirt", "jumpsuit"),
     "elbow patches": ("blazer", "sweatshirt", "cardigan", "shirt", "coat"),
+    "smocking": ("peplum-top", "skater-dress", "strappy-dress", "fitted-dress", "bandeau", "t-shirt"),
+    "ruching": ("fitted-dress", "fitted-skirt", "t-shirt", "camisole"),
+    "draped folds": ("fitted-dress", "fitted-skirt", "t-shirt"),
+    "princess seams": ("fitted-dress", "skater-dress", "strapless-dress", "blazer"),
+    "yoke": ("shirt", "t-shirt", "fitted-skirt", "circle-skirt", "jeans"),
+    "waist frill": ("pull-on-trousers", "trousers", "gathered-skirt", "circle-skirt"),
+    "scalloped edge": ("t-shirt", "trousers", "circle-skirt", "peplum-top"),
 }
 CHILDREN = (60.0, 92.0, 110.0, 128.0, 152.0)
 SOME = tuple(info for info in list_drafts() if info.name not in ("gored-skirt", "pleated-skirt"))
@@ -160,12 +165,30 @@ def test_has_its_place_on_the_drafts_that_should_have_it(name, drafts):
         ("smocking", "fitted-skirt"), ("ruching", "jeans"), ("cowl folds", "jeans"),
         ("shoulder cut-outs", "tank-top"), ("waist cut-outs", "jeans"), ("back cut-out", "slip-dress"),
         ("elbow patches", "t-shirt"), ("elbow patches", "tank-top"),
+        ("princess seams", "trousers"),
+        ("waist frill", "skater-dress"), ("yoke", "bustier"),
     ],
 )  # fmt: skip
 def test_has_none_on_others(name, draft_name, drafts):
     pattern = drafts[draft_name]
     assert trims_that_fit(pattern, (name, "tie belt")) in ((), ("tie belt",))
     assert place_trims(replace(pattern, trims=(name,))) == ()
+
+
+@pytest.mark.parametrize("name", ["smocking", "ruching", "tucks", "princess seams", "yoke"])
+def test_lines_of_what_is_alike_on_both_sides_are_alike(name, drafts):
+    pattern = replace(drafts["fitted-dress"], trims=(name,))
+    trims = place_trims(pattern)
+    assert len(trims) >= 4
+    assert_in_pairs(pattern, trims, (name,))
+
+
+def test_rows_of_smocking_run_on_over_darts(drafts):
+    pattern = replace(drafts["peplum-top"], trims=("smocking",))
+    rows = [trim for trim in place_trims(pattern) if isinstance(trim, Patch)]
+    of_front = [row for row in rows if row.panel == "left_ftorso"]
+    # From the neck down to the waist, though darts cross all of it: a row every 1.7 cm.
+    assert len(of_front) >= 10
 
 
 def test_nothing_is_put_on_unasked(drafts):

@@ -84,11 +84,11 @@ def seen(pattern: Pattern, trim: Patch | Button) -> np.ndarray:
     return pattern.panel(trim.panel).to_world(corners(trim))[:, :2]
 
 
-def assert_in_pairs(pattern: Pattern, trims: tuple[Trim, ...]) -> None:
+def assert_in_pairs(pattern: Pattern, trims: tuple[Trim, ...], names: tuple[str, ...] = IN_PAIRS) -> None:
     """Each piece of a trim that has two sides has its mirror image."""
     of_trim: dict[str, list[np.ndarray]] = defaultdict(list)
     for trim in trims:
-        if trim.trim in IN_PAIRS and not isinstance(trim, Belt):
+        if trim.trim in names and not isinstance(trim, Belt):
             edge = trim.trim == "double-breasted buttons" and isinstance(trim, Patch)
             if not edge:  # of the front that lies above the other one
                 of_trim[trim.trim].append(seen(pattern, trim))

@@ -17,6 +17,8 @@ _NECK_FRILL, _SLEEVE_FRILL, _HEM_FRILL, _FRINGE = 4.0, 5.0, 8.0, 12.0
 """How far each goes beyond its edge, cm."""
 _FRONT_FRILL, _FRILLED_LEAST = 4.5, 15.0
 """Depth of frills down the front, and the shortest seam that has them, cm."""
+_SCALLOPS = 3.2
+"""How far scallops hang below the hem, cm."""
 _TURNED_BACK = 4.0
 """Height of turned-up ends of sleeves, cm."""
 _EDGINGS = {"edging": 1.3, "piping": 0.9, "bands": 5.0, "narrow bands": 2.2, "lace trim": 3.5}
@@ -100,6 +102,12 @@ def edging(chalk: Chalk, name: str) -> list[Trim]:
 def neck_lace(chalk: Chalk, name: str) -> list[Trim]:
     """A strip of lace around the neck alone, or along the outer edge of a collar."""
     return _along(chalk, name, neck_edges(chalk.pattern), _NECK_LACE, "flat")
+
+
+def scalloped_edge(chalk: Chalk, name: str) -> list[Trim]:
+    """Arcs along the hem, or along the ends of both legs."""
+    legs = (*leg_ends(chalk.pattern, "l")[0], *leg_ends(chalk.pattern, "r")[0])
+    return _along(chalk, name, tuple(dict.fromkeys(legs)) or hem_edges(chalk.pattern), _SCALLOPS, "flat")
 
 
 def front_frills(chalk: Chalk, name: str) -> list[Trim]:

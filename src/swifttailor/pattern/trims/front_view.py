@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
@@ -119,6 +120,12 @@ class FrontView:
 
         return bool(np.all(intersects_xy(self._bridged, np.asarray(points, float))))
 
+    def on_cloth(self, points: ArrayLike) -> list[bool]:
+        """Which points (n, 2) of the view lie on it, and not in one of its darts."""
+        from shapely import intersects_xy
+
+        return [bool(held) for held in intersects_xy(self._cloth, np.asarray(points, float))]
+
     def carries(self, border: ArrayLike) -> bool:
         """Whether a piece with this border (n, 2) in the view lies on it, over no godet."""
         from shapely import Polygon
@@ -138,6 +145,12 @@ class FrontView:
         beside = np.where(np.abs(points[:, :1]) > _MIDDLE, (_MARGIN, 0.0), 0.0)
         near = intersects_xy(self._bridged, points - beside) & intersects_xy(self._bridged, points + beside)
         return np.asarray(intersects_xy(self._cloth, points) & near, bool)
+
+
+def over_darts(view: FrontView, line: Sequence[tuple[float, float]]) -> list[tuple[float, float]]:
+    """Those points of a line that lie on cloth: it runs on straight over darts, which are sewn shut."""
+    on = view.on_cloth(line)
+    return [point for point, held in zip(line, on, strict=True) if held]
 
 
 def dart_tips(pattern: Pattern) -> dict[str, tuple[int, ...]]:

@@ -102,6 +102,11 @@ TRIMS: Mapping[str, str] = {
     "waist cut-outs": "openings at both sides of the waist",
     "back cut-out": "an opening in the middle of the back",
     "elbow patches": "patches on the elbows",
+    "draped folds": "folds drawn across the front",
+    "princess seams": "princess seams",
+    "yoke": "a yoke",
+    "waist frill": "a frill above the waistband",
+    "scalloped edge": "arcs along the hem",
 }
 """By name, what each is for people. None joins panels, so none changes how a garment is cut or hangs."""
 LIKE_EACH_OTHER = (
@@ -119,7 +124,7 @@ LIKE_EACH_OTHER = (
     ("elastic waist", "back elastic"),
     ("cargo pockets", "thigh pocket"),
     ("kangaroo pocket", "front pocket"),
-    ("hem frill", "hem fringe", "hem rib", "frayed hem"),
+    ("hem frill", "hem fringe", "hem rib", "frayed hem", "scalloped edge"),
     ("edging", "piping", "bands", "narrow bands", "lace trim", "fur trim", "neck rib"),
     ("cowl folds", "neck rib"),
     ("neck lace", "lace trim"),
@@ -130,6 +135,8 @@ LIKE_EACH_OTHER = (
     ("sleeve stripes", "three sleeve stripes"),
     ("back pockets", "back welt pockets"),
     ("neck frill", "neck bow", "neck cord"),
+    ("smocking", "ruching", "draped folds", "tucks", "boning"),
+    ("yoke", "yoke frill", "smocking"),
     ("creases", "pleat lines"),
     ("front pleats", "pleat lines"),
     ("back zip", "back ties", "back buttons", "back lacing", "back cut-out"),

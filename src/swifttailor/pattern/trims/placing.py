@@ -17,6 +17,8 @@ from swifttailor.pattern.trims import (
     pockets,
     pressed_lines,
     quilting,
+    ruching,
+    seam_lines,
 )
 from swifttailor.pattern.trims.arm_slits import arm_slits
 from swifttailor.pattern.trims.boning import boning
@@ -30,7 +32,6 @@ from swifttailor.pattern.trims.keyholes import keyhole
 from swifttailor.pattern.trims.knee_patches import knee_patches
 from swifttailor.pattern.trims.reflecting_bands import reflecting_bands
 from swifttailor.pattern.trims.rips import frayed_hem, rips
-from swifttailor.pattern.trims.ruching import ruching
 from swifttailor.pattern.trims.shapes import Trim
 from swifttailor.pattern.trims.shoulder_drape import shoulder_drape
 from swifttailor.pattern.trims.side_panels import side_panels
@@ -43,6 +44,7 @@ from swifttailor.pattern.trims.side_stripes import (
 from swifttailor.pattern.trims.smocking import smocking
 from swifttailor.pattern.trims.stirrups import stirrups
 from swifttailor.pattern.trims.tucks import tucks
+from swifttailor.pattern.trims.waist_frill import waist_frill
 from swifttailor.pattern.trims.yoke_frill import yoke_frill
 
 _PLACES: Mapping[str, Callable[[Chalk, str], list[Trim]]] = {
@@ -133,13 +135,18 @@ _PLACES: Mapping[str, Callable[[Chalk, str], list[Trim]]] = {
     "asymmetric zip": across_front.asymmetric_zip,
     "storm flap": across_front.storm_flap,
     "smocking": smocking,
-    "ruching": ruching,
+    "ruching": ruching.ruching,
     "cowl folds": cowl_folds,
     "shoulder drape": shoulder_drape,
     "shoulder cut-outs": cut_outs.shoulder_cut_outs,
     "waist cut-outs": cut_outs.waist_cut_outs,
     "back cut-out": cut_outs.back_cut_out,
     "elbow patches": elbow_patches,
+    "draped folds": ruching.draped_folds,
+    "princess seams": seam_lines.princess_seams,
+    "yoke": seam_lines.yoke,
+    "waist frill": waist_frill,
+    "scalloped edge": decorations.scalloped_edge,
 }
 """How each of `names.TRIMS` is marked."""
 

@@ -1,49 +1,121 @@
-"""The folds of cloth that is gathered along its side seams."""
+"""Ruching: folds that run in from side seams along which cloth is gathered, and those of draped fronts."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
-from swifttailor.pattern.trims.chalk import Chalk
-from swifttailor.pattern.trims.front_view import FrontView
+from swifttailor.pattern.trims.chalk import Chalk, Point
+from swifttailor.pattern.trims.front_view import FrontView, over_darts
 from swifttailor.pattern.trims.shapes import Trim
 
-_PANELS = ("left_ftorso", "right_ftorso", "left_btorso", "right_btorso", "skirt_front", "skirt_back")
-_APART, _BESIDE, _INSIDE = 2.6, 0.7, 2.0
-"""Distance of folds, and what stays free beside the seam and at both ends of it, cm."""
-_LONG = (10.0, 6.5, 12.0, 7.5, 9.0, 5.5)
-"""How far folds run from the seam, one after the other, cm."""
-_FALL, _LINE = 0.22, 0.12
-"""By how much folds fall on their way, as a part of it, and half the width of what is drawn of one, cm."""
-_UNDERARM = 0.75
-"""Below this part of the way from the waist to the shoulder a torso has side seams."""
+_TORSO = (("left", 1.0), ("right", -1.0))
+_APART, _BESIDE, _ABOVE = 2.6, 0.7, 2.2
+"""Distance of folds, how far they stay from the seam, and from the armhole and the hem, cm."""
+_LONG = (0.75, 0.5, 0.9, 0.6, 0.82, 0.45, 0.7)
+"""How far folds reach, one after the other, as parts of the way to the middle."""
+_HANG, _FOLD = 0.12, 0.13
+"""How far folds hang in their middle, times their length, and half the width of what is drawn, cm."""
 _FEWEST = 3
+_FAN: tuple[tuple[float, float], ...] = (
+    (26.0, -17.0),
+    (20.0, -19.0),
+    (14.0, -19.0),
+    (8.0, -18.0),
+    (3.0, -16.0),
+)
+"""Where the folds of a draped bodice end: above the waist, and beside the middle towards the right, cm."""
+_FAN_BELOW: tuple[tuple[float, float], ...] = (
+    (-4.0, -16.0), (-10.0, -15.0), (-17.0, -12.0), (-24.0, -7.0), (-31.0, 0.0),
+)  # fmt: skip
+"""The same of a skirt."""
 
 
 def ruching(chalk: Chalk, name: str) -> list[Trim]:
-    """Short folds from the side seams of bodices and close skirts inward, all the way down."""
+    """Folds along both side seams, in front and behind, from the armholes to the hem."""
     pieces: list[Trim] = []
-    for view in [chalk.views[panel] for panel in _PANELS if panel in chalk.views]:
-        sides = (1, -1) if view.panel.name.startswith("skirt") else (view.side,)
-        for sign in sides:
-            found = _beside(chalk, name, view, sign)
-            if len(found) < _FEWEST:
-                return []
-            pieces += found
+    for part in ("ftorso", "btorso"):
+        views = [chalk.views.get(f"{side}_{part}") for side, _ in _TORSO]
+        if all(view is not None for view in views):
+            shaped = [(view, sign) for view, (_, sign) in zip(views, _TORSO, strict=True) if view is not None]
+            pieces += _both_sides(chalk, name, shaped)
+    for panel in ("skirt_front", "skirt_back"):
+        view = chalk.views.get(panel)
+        if view is not None:
+            pieces += _both_sides(chalk, name, [(view, 1.0), (view, -1.0)])
+    return pieces if len(pieces) >= 4 * _FEWEST else []
+
+
+def draped_folds(chalk: Chalk, name: str) -> list[Trim]:
+    """Folds across the front that meet at the waist on the wearer's left."""
+    pieces: list[Trim] = []
+    for panels, ends in ((("left_ftorso", "right_ftorso"), _FAN), (("skirt_front",), _FAN_BELOW)):
+        views = [chalk.views[panel] for panel in panels if panel in chalk.views]
+        if len(views) == len(panels):
+            pieces += _fan(chalk, name, views, ends)
+    return pieces if len(pieces) >= _FEWEST else []
+
+
+def _both_sides(chalk: Chalk, name: str, shaped: Sequence[tuple[FrontView, float]]) -> list[Trim]:
+    """Folds on two halves, each of which has its mirror image."""
+    s = chalk.size
+    low = max(view.low for view, _ in shaped) + _ABOVE * s
+    high = min(_underarm(view, sign) for view, sign in shaped) - _ABOVE * s
+    pieces: list[Trim] = []
+    for k, y in enumerate(np.arange(high, low, -_APART * s)):
+        pair = [_fold(chalk, name, view, sign, float(y), _LONG[k % len(_LONG)]) for view, sign in shaped]
+        if all(pair):
+            pieces += [piece for half in pair for piece in half]
     return pieces
 
 
-def _beside(chalk: Chalk, name: str, view: FrontView, sign: int) -> list[Trim]:
-    """Folds along one side seam."""
-    top = min(view.high, chalk.waist + _UNDERARM * (chalk.shoulder - chalk.waist)) - _INSIDE
+def _underarm(view: FrontView, sign: float) -> float:
+    """Height of the outermost point of the upper part of a half: where its side seam begins."""
+    outline = view.outline[view.outline[:, 1] > (view.low + view.high) / 2]
+    if "torso" not in view.panel.name:
+        return view.high
+    out = sign * outline[:, 0]
+    return float(outline[out >= out.max() - 0.3, 1].max())
+
+
+def _fold(chalk: Chalk, name: str, view: FrontView, sign: float, y: float, share: float) -> list[Trim]:
+    """A line that begins at the seam and hangs a little; shorter where it would leave the panel."""
+    s = chalk.size
+    span = view.span(y)
+    if span is None:
+        return []
+    outer = sign * (span[1] if sign > 0 else span[0]) - _BESIDE * s
+    for part in (share, 0.7 * share, 0.45 * share):
+        length = part * outer
+        along = np.linspace(0.0, 1.0, 25)
+        line: list[Point] = [
+            (sign * (outer - length * t), y - _HANG * length * float(t * (1.6 - t))) for t in along
+        ]
+        found = chalk.line(name, view.panel.name, over_darts(view, line), _FOLD * s)
+        if found:
+            return found
+    return []
+
+
+def _fan(
+    chalk: Chalk, name: str, views: Sequence[FrontView], ends: Sequence[tuple[float, float]]
+) -> list[Trim]:
+    """Lines from the waist on the left, each cut off where a panel ends."""
+    s = chalk.size
+    side = max(views, key=lambda view: float(view.outline[:, 0].max()))
+    start_y = chalk.waist + (1.5 if ends[0][0] > 0 else -2.5) * s
+    span = side.span(start_y)
+    if span is None:
+        return []
+    start = np.array([span[1] - 1.2 * s, start_y])
     pieces: list[Trim] = []
-    for k, y in enumerate(np.arange(top, view.low + _INSIDE, -_APART * chalk.size)):
-        outer = chalk.outer(view, float(y), sign)
-        if outer is None or outer * sign <= 0:
-            continue
-        along = np.linspace(0.0, min(_LONG[k % len(_LONG)] * chalk.size, 0.8 * abs(outer)), 5)
-        # A fold falls most near the seam and runs out level.
-        fall = _FALL * along * (1.4 - along / (2.0 * max(float(along[-1]), 0.1)))
-        line = [(outer - sign * (_BESIDE + a), float(y) - d) for a, d in zip(along, fall, strict=True)]
-        pieces += chalk.line(name, view.panel.name, line, width=_LINE)
+    for k, (above, x) in enumerate(ends):
+        end = np.array([x * s, chalk.waist + above * s])
+        off = start + (end - start) * np.linspace(0.03 + 0.02 * (k % 2), 1.0, 60)[:, None]
+        bend = np.linspace(0.0, 1.0, 60)
+        off[:, 1] -= 0.09 * float(np.linalg.norm(end - start)) * 4 * bend * (1 - bend)
+        for view in views:
+            run = over_darts(view, [(float(a), float(b)) for a, b in off])
+            pieces += chalk.line(name, view.panel.name, run[1:-1], _FOLD * s) if len(run) > 6 else []
     return pieces

@@ -57,12 +57,16 @@ TRIMS_OF: Mapping[str, tuple[str, ...]] = {
     "storm_flap": ("storm flap",),
     "smocking": ("smocking",),
     "ruching": ("ruching",),
-    "draped": ("cowl folds",),
+    "draped": ("cowl folds", "draped folds"),
     "draped_cloth": ("shoulder drape",),
     "knee_patches": ("knee patches",),
     "elbow_patches": ("elbow patches",),
     "cold_shoulder": ("shoulder cut-outs",),
     "cut_outs": ("waist cut-outs", "back cut-out", "keyhole"),
+    "princess_seams": ("princess seams",),
+    "yoke": ("yoke",),
+    "paperbag": ("waist frill",),
+    "scallops": ("scalloped edge",),
     "keyhole": ("keyhole",),
     "keyhole_back": ("back keyhole",),
     "epaulettes": ("epaulettes",),
@@ -90,8 +94,8 @@ _RIBS, _RIBBED = "rib_bands", frozenset({"t-shirt", "tank-top", "sweatshirt"})
 _KNITS = frozenset({"jersey", "rib-knit", "sweatshirt", "fleece"})
 _SAID_ALONE = frozenset(
     {
-        *("lace", "braid", "apron", "boning", "pleats", "smocking", "ruching"),
-        *("cut_outs", "draped", "draped_cloth"),
+        *("lace", "braid", "apron", "boning", "pleats", "smocking", "ruching", "tucks"),
+        *("cut_outs", "draped", "draped_cloth", "yoke", "princess_seams", "scallops"),
     }
 )
 """What is put on only where the text itself asks for it, or a row of the tables has its trim."""

@@ -87,6 +87,7 @@ _PAIRS: Mapping[str, tuple[tuple[str, str], ...]] = {
     ),
     "bodice": (("darted", "undarted"), ("flared", "tapered")),
     "waistband": (("narrow", "wide"), ("shaped", "straight")),
+    "hem_shape": (("lower left", "lower right"),),
 }
 _DIRECTED = frozenset(
     [
