@@ -56,7 +56,7 @@ FLAT = (
 """What lies on the cloth along its edges; frills, fringe and bows stand off."""
 STAND_OFF = (
     *("neck frill", "sleeve frills", "hem frill", "hem fringe", "neck bow", "waist bow", "shoulder bows"),
-    *("stirrups", "frayed hem", "back bow", "back ties", "front frills"),
+    *("stirrups", "frayed hem", "back bow", "back ties", "front frills", "waist frill", "scalloped edge"),
 )
 ON_CLOTH, LIFTED = 0.1, (0.1, 0.8)
 """Of vertices where a piece is brought down to the cloth, and of the others, cm."""

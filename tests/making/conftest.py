@@ -71,6 +71,7 @@ TRIMMED = {
     "pyjama bottoms": ("pull-on-trousers", ("elastic waist",)),
     "slip": ("fitted-dress", ("lace trim", "waist bow")),
     "suit trousers": ("trousers", ("fly", "creases", "front pleats", "stirrups", "side stripes")),
+    "dinner trousers": ("trousers", ("fly", "satin stripes")),
     "hakama": ("pull-on-trousers", ("pleat lines",)),
     "keyhole top": ("t-shirt", ("keyhole", "back keyhole")),
     "police shirt": ("shirt", ("epaulettes",)),

@@ -39,12 +39,14 @@ NAMES = (
     "joggers", "polo shirt", "suit", "puffer", "turned-up trousers", "tunic",
     "dirndl", "blouse", "piped shirt", "yoked blouse", "cape", "working vest", "track top", "track bottoms",
     "biker jacket", "raincoat",
-    "banded dress", "sundress", "vest", "pyjama bottoms", "slip", "suit trousers", "hakama",
-    "keyhole top", "police shirt", "cheongsam",
-    "hospital gown", "smock", "corset dress",
+    "banded dress", "sundress", "vest", "pyjama bottoms", "slip",
+    "suit trousers", "dinner trousers", "hakama",
+    "keyhole top", "police shirt", "cheongsam", "sari",
+    "hospital gown", "smock", "corset dress", "evening shirt", "ringer tee",
     "ripped jeans", "jeans torn at the knees", "dress buttoned to the waist", "cycling jersey", "tabard",
     "working trousers", "jeans torn at the left", "jeans torn at the right",
-    *("smocked top", "ruched dress", "draped gown", "tucked blouse", "princess dress", "paper bag trousers"),
+    "milkmaid dress", "ruched dress", "cowl dress", "cold shoulder top", "cut-out dress", "patched jumper",
+    "draped gown", "tucked blouse", "princess dress", "paper bag trousers",
     "flapper dress",
 )  # fmt: skip
 

@@ -38,7 +38,7 @@ ASKED = {
     "a hoodie without a pocket": {"neck cord"},
     "a hoodie with a zip": {"kangaroo pocket", "zip", "neck cord"},
     "a denim jacket": {"buttons", "chest pockets"},
-    "a double-breasted coat": {"double-breasted buttons", "welt pockets", "tie belt"},
+    "a double-breasted coat": {"double-breasted buttons", "welt pockets"},
     "a trench coat": {"double-breasted buttons", "side pockets", "tie belt"},
     "a coat with a belt": {*COAT, "tie belt"},
     "a double breasted blazer": {"double-breasted buttons", "welt pockets"},

@@ -92,8 +92,10 @@ def _fold(chalk: Chalk, name: str, view: FrontView, sign: float, y: float, share
         line: list[Point] = [
             (sign * (outer - length * t), y - _HANG * length * float(t * (1.6 - t))) for t in along
         ]
-        found = chalk.line(name, view.panel.name, over_darts(view, line), _FOLD * s)
-        if found:
+        run = over_darts(view, line)
+        ends = [(x, y + 2 * _FOLD * s) for x, y in reversed(run)]
+        found = chalk.line(name, view.panel.name, run, _FOLD * s)
+        if found and view.carries([*run, *ends]):  # slits for godets are no darts
             return found
     return []
 
