@@ -16,6 +16,7 @@ from swifttailor.pattern_maker.maker import WrittenPattern
 from swifttailor.picture_reader.truth import Truth
 from swifttailor.programs import DesignError, make_pattern
 from swifttailor.tailor.candidates import Candidate
+from swifttailor.tailor.heeded import heeded
 from swifttailor.tailor.hidden_backs import with_hidden_back
 from swifttailor.tailor.reading import Wanted
 from swifttailor.tailor.second_reading import SecondReading
@@ -57,6 +58,7 @@ class DesignedCandidate:
                 continue
             if second is not None:
                 design, pattern = _corrected(second, design, pattern, wanted, reader)
+            design, pattern = heeded(design, pattern, wanted, reader)
             self._found.append(Candidate(WrittenPattern(pattern), design=design))
             break
         self.library: PatternLibrary | None = None

@@ -85,8 +85,8 @@ class Wanted:
     """What its words say beyond wishes: colours, what cannot be made, what was not understood."""
     foresight: PanelForesight | None = None
     """Tells of its words which panels the garment may have; None where that is not asked."""
-    least_cut: float = LEAST_CUT
-    """What the pictures show less surely is not cut."""
+    is_designed: bool = False
+    """Whether it is as a draft is cut to it whose design was read: then to nothing that is merely likely."""
     seen_color: SeenColor | None = None
     """Of its cloth in the first picture, where words leave it to that."""
     in_words: PartReading | None = None
@@ -108,14 +108,16 @@ class Wanted:
     @property
     def maybe(self) -> tuple[Change, ...]:
         """What is likely, and cut last where that costs nothing else: of pictures what is sure enough."""
-        cut = [w for w in self.likely if w not in self.seen or w.certainty >= self.least_cut]
+        if self.is_designed:  # the design was read of that, too
+            return ()
+        cut = [w for w in self.likely if w not in self.seen or w.certainty >= LEAST_CUT]
         return tuple(wish.change for wish in cut)
 
     def of_draft(self) -> Wanted:
         """The same, as a draft is cut to it whose design was read in the pictures (`LEAST_CUT_OF_DRAFT`)."""
         doubted = [w for w in self.wishes if w in self.seen and w.certainty < LEAST_CUT_OF_DRAFT]
         kept = tuple([wish for wish in self.wishes if wish not in doubted])
-        return replace(self, wishes=kept, likely=(*self.likely, *doubted), least_cut=LEAST_CUT_OF_DRAFT)
+        return replace(self, wishes=kept, likely=(*self.likely, *doubted), is_designed=True)
 
     def begun_from(self, draft: NamedDraft) -> Wanted:
         """The same, where the garment begins from a draft: what that shows is neither cut nor lacking."""
