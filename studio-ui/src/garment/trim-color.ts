@@ -9,6 +9,8 @@ const DARK = 0.04;
 export const DARKEST = 0.01;
 const LIGHT = 0.25;
 const [METAL, LEATHER, LIGHT_BUTTON, DARK_BUTTON] = ["#8d8f94", "#4a3226", "#bdb6a8", "#6b5a49"] as const;
+/** Leather on black cloth, and how far apart the channels of that are at most. */
+const [BLACK_LEATHER, GREYISH] = ["#33312f", 0.02] as const;
 
 /** Light that a part throws back, linear channels, on cloth of a colour ("#rrggbb"). */
 export function trimColor(look: TrimLook, cloth: string): Rgb {
@@ -17,7 +19,9 @@ export function trimColor(look: TrimLook, cloth: string): Rgb {
   if (look === "cloth") return scaled(ground, 0.94);
   if (look === "dark") return scaled(ground, light >= DARK ? 0.3 : 2.2);
   if (look === "button") return linearOf(light < LIGHT ? LIGHT_BUTTON : DARK_BUTTON);
-  return linearOf(look === "metal" ? METAL : LEATHER);
+  if (look === "metal") return linearOf(METAL);
+  const isBlack = light < DARK && Math.max(...ground) - Math.min(...ground) < GREYISH;
+  return linearOf(isBlack ? BLACK_LEATHER : LEATHER);
 }
 
 /** Light that a part of a colour of its own ("#rrggbb") throws back, linear channels. */
