@@ -17,13 +17,13 @@ def studio_page(page) -> StudioPage:
 
 
 def test_words_become_a_garment_and_files(studio_page, shot):
-    studio_page.describe("a knee-length sleeveless dress with a V neck and a unicorn print")
+    studio_page.describe("a knee-length sleeveless dress with a V neck and embroidery")
     page = studio_page.page
     read = page.get_by_role("region", name="What was read")
     assert read.get_by_role("button", name="hem: knee").is_visible()
     assert read.get_by_role("button", name="sleeves: none").is_visible()
     # What cannot be made is said, and not passed over.
-    assert "print" in page.get_by_role("region", name="Not possible yet").inner_text()
+    assert "embroidery" in page.get_by_role("region", name="Not possible yet").inner_text()
     assert page.get_by_role("button", name="Undo").is_disabled()
     shot(page, "words-to-garment")
 
