@@ -54,7 +54,12 @@ def made(reader, design, wanted):
 
 @pytest.fixture
 def short():
-    return {"meta.bottom": "PencilSkirt", "pencil-skirt.length": 0.4, "pencil-skirt.rise": 1.0, "meta.wb": None}
+    return {
+        "meta.bottom": "PencilSkirt",
+        "pencil-skirt.length": 0.4,
+        "pencil-skirt.rise": 1.0,
+        "meta.wb": None,
+    }
 
 
 def test_the_likeliest_value_that_does_what_is_asked_is_taken(short):
