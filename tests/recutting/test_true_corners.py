@@ -13,7 +13,7 @@ from swifttailor.pattern import curve as curves
 from swifttailor.pattern.drafts import draft
 from swifttailor.recutting.level_hems import DIP_CM, level_hem
 from swifttailor.recutting.table.cutter import Cutter
-from swifttailor.recutting.true_corners import true_corners
+from swifttailor.recutting.true_corners import _reach, true_corners
 
 
 def with_straight_hem(skirt: Pattern) -> Pattern:
@@ -74,3 +74,13 @@ def test_hems_with_low_corners_are_rounded_and_said_to_be(pointed):
 def test_what_is_true_already_stays():
     skirt = draft("fitted-skirt", flare=16, length=44)
     assert level_hem(skirt) == (skirt, "")
+
+
+@pytest.mark.parametrize("dip", [DIP_CM, -DIP_CM])
+def test_beside_a_side_that_goes_on_as_the_hem_does_nothing_is_drawn(dip):
+    """No curve leaves it at a right angle and reaches the hem: control points were not finite."""
+    toward = np.array([30.0, 0.0])
+    assert _reach(np.array([12.0, 0.0]), toward, dip) is None
+    assert _reach(np.array([12.0, 0.3]), toward, dip) is None
+    reach = _reach(np.array([-4.0, 12.0]), toward, dip)
+    assert reach is not None and np.isfinite(reach).all() and reach @ toward > 0
