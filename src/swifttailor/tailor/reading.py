@@ -159,9 +159,8 @@ class Wanted:
         """Whether there is a text and nothing was understood of it for certain."""
         clothed = self.heard.color or self.heard.print or self.heard.plain or self.heard.cloth
         clothed = clothed or self.heard.looks
-        named = any(
-            isinstance(each, Gain) and each.claim.name == "kind" for each in self.shown
-        )  # by a draft that is of that kind
+        # A draft that it begins from may be of a kind.
+        named = any(isinstance(each, Gain) and each.claim.name == "kind" for each in self.shown)
         return self.leaves_cut and not clothed and not named
 
     @property
