@@ -112,7 +112,8 @@ def held(patterns: list[Pattern], drafted: list[tuple[Question, Wanted, Candidat
         facts = facts_of(pattern)
         each.append([facts is not None and claim.holds(facts) for claim in question.claims])
     count = sum(map(len, each))
-    return f"statements {100 * sum(map(sum, each)) / count:.1f} %, all {100 * sum(map(all, each)) / len(each):.1f} %"
+    holding, whole = 100 * sum(map(sum, each)) / count, 100 * sum(map(all, each)) / len(each)
+    return f"statements {holding:.1f} %, all {whole:.1f} %"
 
 
 if __name__ == "__main__":
