@@ -77,9 +77,8 @@ def main() -> None:
         print(f"{name}: {row(patterns, truth)}; {held(patterns, drafted)}; {left} with something open")
         print(f"{name}, then cut: {row(cut, truth)}; {held(cut, drafted)}", flush=True)
     if seconds:
-        print(
-            f"changing takes {statistics.median(seconds):.2f} s of a core (median), {max(seconds):.1f} at most"
-        )
+        middle, most = statistics.median(seconds), max(seconds)
+        print(f"changing takes {middle:.2f} s of a core (median), {most:.1f} at most")
 
 
 def read(tailor: Tailor, options: argparse.Namespace) -> list[tuple[Question, Wanted]]:
