@@ -114,8 +114,8 @@ def test_one_of_several_sources_can_be_chosen(sewer, eyes, library):
     assert tailor.generate(image=PICTURE, source="library").answer.known == "midi"
     written = tailor.generate(image=PICTURE, source="writer", attempts=1).answer
     assert written.design is None and not written.known
-    by_words = tailor.generate("a midi office skirt").answer
-    assert by_words.design is None, "words alone say too little for a draft of design parameters"
+    named = tailor.generate("a midi office skirt").answer
+    assert named.design is None and named.draft, "what words name begins from a draft of ours"
     assert tailor.generate("a midi office skirt", source="library").answer.known == "midi"
     assert tailor.generate("a midi skirt", source="designs").answer.design is not None
     both = tailor.generate("a midi skirt", image=PICTURE).answer
@@ -154,3 +154,27 @@ def test_of_several_garments_each_has_a_design_of_its_own(sewer, eyes):
 
 def test_a_writer_of_your_own_is_not_passed_by(sewer):
     assert Tailor(scripted_maker([draft("fitted-skirt")]), sewer).parameter_reader is None
+
+
+class Unasked:
+    """Must not be asked."""
+
+    def run(self, names, given):
+        raise AssertionError("it was asked for nothing")
+
+
+DESCRIBED = "narrow, to the middle of the calf, with a waistband"
+
+
+def test_where_the_draft_that_words_name_fails_a_read_design_is_next(sewer, library):
+    made = tailor_of(sewer, None, designer(*PENCIL), library).generate(DESCRIBED).answer
+    assert made.design is not None and made.design["meta.bottom"] == "PencilSkirt"
+    assert not made.verdict.open and made.attempt == 1 and made.failures[0]
+    assert tailor_of(sewer, None, None, library).generate(DESCRIBED).answer.known == "midi"
+
+
+def test_nothing_is_looked_up_where_the_first_draft_will_do(sewer, monkeypatch):
+    monkeypatch.setattr("swifttailor.tailor.offers.designed_candidate", Unasked().run)
+    monkeypatch.setattr("swifttailor.tailor.offers.CountedCandidate", Unasked().run)
+    made = Tailor(garment_sewer=sewer).generate("a midi pencil skirt").answer
+    assert made.draft and made.attempt == 0

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from itertools import islice
 
 from swifttailor.describing.measuring import measure_facts
@@ -96,29 +95,24 @@ def _corrected(
     return design, pattern
 
 
-def designed_candidates(
-    reader: ParameterReader | None,
-    samples: Sequence[tuple[Wanted, int]],
-    second: SecondReading | None = None,
-) -> list[DesignedCandidate | None]:
-    """The draft for each sample; None where its pattern is to come from elsewhere.
+def designed_candidate(
+    reader: ParameterReader | None, wanted: Wanted, seed: int, second: SecondReading | None = None
+) -> DesignedCandidate | None:
+    """The draft for one sample; None where its pattern is to come from elsewhere.
 
     Args:
         reader: Reads design parameters; None where nothing is to be drafted.
-        samples: What is wanted, each with its seed.
-        second: Corrects drafts where an order does not forbid to look again.
+        wanted: What is wanted.
+        seed: Of the sample.
+        second: Corrects drafts of what is seen where an order does not forbid to look again.
 
     Raises:
         InputError: Only drafts of designs are asked for, and nothing is known of what is wanted.
     """
-    found: list[DesignedCandidate | None] = []
-    for wanted, seed in samples:
-        order = wanted.order
-        shown = wanted.part is not None or order.source == "designs"
-        if reader is None or not order.may_be_designed or not shown or wanted.sought.is_empty:
-            if order.source == "designs":
-                raise InputError(_NOTHING_SOUGHT)
-            found.append(None)
-            continue
-        found.append(DesignedCandidate(reader, wanted, seed, second if order.most_refined else None))
-    return found
+    order = wanted.order
+    if reader is None or not order.may_be_designed or wanted.sought.is_empty:
+        if order.source == "designs":
+            raise InputError(_NOTHING_SOUGHT)
+        return None
+    looks_again = order.most_refined and wanted.part is not None
+    return DesignedCandidate(reader, wanted, seed, second if looks_again else None)

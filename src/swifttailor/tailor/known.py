@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 import numpy as np
 
 from swifttailor.errors import InputError
@@ -61,30 +59,38 @@ class KnownCandidates:
         return Candidate(WrittenPattern(self._library.pattern(k)), known=self._library.ids[k])
 
 
-def known_candidates(
-    library: PatternLibrary | None, samples: Sequence[tuple[Wanted, int]]
-) -> list[KnownCandidates | None]:
-    """What a library has for each sample; None where its pattern is to be written.
+class KnownSearches:
+    """What a library has for garments; those of one order are looked up once."""
 
-    Raises:
-        InputError: Nothing may be written, and nothing is known of what is wanted.
-    """
-    searches: dict[int, Search] = {}
-    found: list[KnownCandidates | None] = []
-    for wanted, seed in samples:
+    def __init__(self, library: PatternLibrary | None) -> None:
+        """Looks nothing up yet.
+
+        Args:
+            library: Known patterns; None where none may be taken.
+        """
+        self._library = library
+        self._searches: dict[int, Search] = {}
+
+    def candidates(self, wanted: Wanted, seed: int) -> KnownCandidates | None:
+        """What the library has for one sample; None where its pattern is to come from elsewhere.
+
+        Args:
+            wanted: What is wanted; must outlive this object.
+            seed: Of the sample.
+
+        Raises:
+            InputError: Nothing may be written, and nothing is known of what is wanted.
+        """
         order = wanted.order
         may_be_known = order.source in ("both", "library") and order.edit is None and order.alter
-        if library is None or not may_be_known or wanted.sought.is_empty:
+        if self._library is None or not may_be_known or wanted.sought.is_empty:
             if order.source == "library":
                 raise InputError(_NOTHING_SOUGHT)
-            found.append(None)
-            continue
-        if id(wanted) not in searches:
-            searches[id(wanted)] = Search(library, wanted.sought)
+            return None
+        if id(wanted) not in self._searches:
+            self._searches[id(wanted)] = Search(self._library, wanted.sought)
         most = order.most_attempts if order.source == "library" else KNOWN_ATTEMPTS
         if wanted.part is not None:
             most = max(most, order.most_refined)
-        found.append(
-            KnownCandidates(searches[id(wanted)], seed=seed, temperature=order.temperature, most=most)
-        )
-    return found
+        search = self._searches[id(wanted)]
+        return KnownCandidates(search, seed=seed, temperature=order.temperature, most=most)

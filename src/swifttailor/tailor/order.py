@@ -31,8 +31,7 @@ LONGEST_TITLE = 60
 Image = NDArray[np.uint8] | Path | str
 Source = Literal["both", "drafts", "designs", "library", "writer"]
 """Where patterns come from: drafts that words name, drafts of design parameters that are read in pictures
-without words,
-known patterns, and written ones where none of these will do; or one of the four alone."""
+and words, known patterns, and written ones where none of these will do; or one of the four alone."""
 Part = Literal["upper", "lower", "whole"]
 """Where a garment of a picture, or of a text that names two, is worn; ``whole`` is one garment, of a picture
 a dress or jumpsuit."""
@@ -164,12 +163,8 @@ class Order:
 
     @property
     def may_be_designed(self) -> bool:
-        """Whether the pattern may be drafted from parameters that are read; of words alone only if asked.
-
-        Words say too little of measures for a draft to be nearer than known patterns.
-        """
-        asked = self.source == "designs" or (self.source == "both" and bool(self.images))
-        return asked and self.edit is None and self.alter
+        """Whether the pattern may be drafted from parameters that are read."""
+        return self.source in ("both", "designs") and self.edit is None and self.alter
 
     @property
     def most_refined(self) -> int:

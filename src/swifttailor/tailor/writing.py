@@ -15,14 +15,12 @@ from swifttailor.pattern_library.known import PatternLibrary
 from swifttailor.pattern_maker.maker import WrittenPattern
 from swifttailor.pattern_maker.temperatures import HIGHEST_TEMPERATURE
 from swifttailor.tailor.answer import Answer
-from swifttailor.tailor.candidates import Candidate, CandidateList, InTurn
-from swifttailor.tailor.counted import CountedCandidate
-from swifttailor.tailor.designed import designed_candidates
+from swifttailor.tailor.candidates import Candidate, CandidateList
 from swifttailor.tailor.drafted import draft_candidates
 from swifttailor.tailor.fitting import cut_from, fit, from_edit
-from swifttailor.tailor.known import KNOWN_ATTEMPTS, known_candidates
 from swifttailor.tailor.looking import ReadsPictures
 from swifttailor.tailor.made_anew import anew_from_known
+from swifttailor.tailor.offers import Offers, Sample
 from swifttailor.tailor.order import Order
 from swifttailor.tailor.protocols import PatternWriter, Sewer
 from swifttailor.tailor.reading import Wanted
@@ -35,9 +33,6 @@ WARMER = 0.15
 """How much higher the temperature of each attempt is than that of the one before: the likely has failed."""
 TIGHT = "it would be too tight"
 BARE = "it would leave the bust bare"
-
-Sample = tuple[Wanted, int]
-"""One garment that is wanted, and its seed."""
 
 
 def write_patterns(
@@ -86,9 +81,7 @@ def write_patterns(
     begun = [len(some) for some in drafts]
     only_drafts = [wanted.order.source in ("drafts", "designs") for wanted, _ in samples]
     second = None if eyes is None else SecondReading(sewer, eyes)
-    candidates, counts = _candidates(library, designer, samples, attempts, second)
-    if library is not None or designer is not None:
-        clock.stop("searching")
+    offered = Offers(samples, library, designer, second)
     tried: list[list[Answer]] = [[] for _ in samples]
     kept = {
         k: [replace(one, seed=seed) for one in found]
@@ -101,21 +94,25 @@ def write_patterns(
             for k, answers in enumerate(tried)
             if k not in kept
             and (not answers or (answers[-1].verdict.fault and not only_drafts[k]))
-            and not (answers and answers[-1].verdict.is_merely_odd and attempt >= begun[k] + counts[k])
+            and not (
+                answers
+                and answers[-1].verdict.is_merely_odd
+                and attempt >= begun[k]
+                and attempt >= begun[k] + offered[k].count
+            )
         ]
         if not waiting:
             break
         clock.restart()
         found: dict[int, Candidate] = {}
         for k in waiting:
-            listed = candidates[k]
             if attempt < begun[k]:
                 found[k] = Candidate(drafts[k][attempt].take())
-            elif listed is not None and attempt - begun[k] < counts[k]:
-                found[k] = listed.take(attempt - begun[k])
+            elif attempt - begun[k] < offered[k].count:
+                found[k] = offered[k].listed.take(attempt - begun[k])
         if found:
             clock.stop("searching")
-        draws = {k: attempt - begun[k] - counts[k] for k in waiting if k not in found}
+        draws = {k: attempt - begun[k] - offered[k].count for k in waiting if k not in found}
         for draw in sorted(set(draws.values())):
             asked = [k for k in draws if draws[k] == draw]
             written = writer().generate_all(
@@ -144,36 +141,11 @@ def write_patterns(
     clock.stop("drawing")
     if any(wanted.part is not None and wanted.order.most_refined for wanted, _ in samples):
         chosen = [
-            _refined(answer, tried[k], candidates[k], samples[k], sewer) for k, answer in enumerate(chosen)
+            _refined(answer, tried[k], offered[k].listed, samples[k], sewer)
+            for k, answer in enumerate(chosen)
         ]
         clock.stop("refining")
     return chosen
-
-
-def _candidates(
-    library: PatternLibrary | None,
-    designer: ParameterReader | None,
-    samples: Sequence[Sample],
-    attempts: int,
-    second: SecondReading | None,
-) -> tuple[list[CandidateList | None], list[int]]:
-    """For each sample what may be tried before anything is written, and how much of it is."""
-    known, designed = known_candidates(library, samples), designed_candidates(designer, samples, second)
-    lists: list[CandidateList | None] = []
-    counts = []
-    for one, draft, (wanted, _) in zip(known, designed, samples, strict=True):
-        tried = 0 if one is None else min(len(one), KNOWN_ATTEMPTS)
-        if one is not None and wanted.order.source == "library":
-            tried = min(len(one), attempts)
-        if draft is not None:
-            draft.library = library
-            tried += len(draft)
-        counted = None if one is None else CountedCandidate(wanted)
-        tried += 0 if counted is None else len(counted)
-        found = [x for x in (draft, one, counted) if x is not None and len(x)]
-        lists.append(InTurn(tuple(found)) if found else None)
-        counts.append(tried)
-    return lists, counts
 
 
 def _edited(wanted: Wanted, library: Callable[[], PatternLibrary | None] | None) -> list[Answer]:
@@ -189,7 +161,7 @@ def _edited(wanted: Wanted, library: Callable[[], PatternLibrary | None] | None)
 def _refined(
     answer: Answer | SwiftTailorError,
     tried: Sequence[Answer],
-    candidates: CandidateList | None,
+    candidates: CandidateList,
     sample: Sample,
     sewer: Sewer,
 ) -> Answer | SwiftTailorError:
