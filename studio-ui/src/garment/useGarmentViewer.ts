@@ -113,7 +113,6 @@ function followMesh(viewer: GarmentViewer): () => void {
       if (wanted !== name || useSession.getState().frame !== null) return;
       void garmentMesh(name).then((data) => {
         if (wanted !== name) return;
-        viewer.showGarment(null, []);
         viewer.showGarment(data, seamColors(data));
       });
     }, 300);
@@ -156,7 +155,7 @@ function followFrames(viewer: GarmentViewer): () => void {
     if (frame === null || frame === before.frame) return;
     void garmentMesh(frame.mesh).then((data) => {
       if (useSession.getState().frame !== frame) return;
-      viewer.showGarment(data, seamColors(data));
+      if (viewer.data !== data) viewer.showGarment(data, seamColors(data));
       viewer.showFrame(frame.positions);
       viewer.stage.mark("frame", String(frame.number));
     });

@@ -50,6 +50,8 @@ export class GarmentViewer {
   private seamOf: SeamLookup = () => null;
   private readonly raycaster = new Raycaster();
   private marksStale = false;
+  /** Whether frames have moved the cloth from where its mesh has it. */
+  private moved = false;
 
   constructor(box: HTMLElement) {
     this.stage = new Stage(box, () => this.refreshMarks());
@@ -77,11 +79,12 @@ export class GarmentViewer {
       this.cloth.data = null;
       this.paths = null;
       this.trims.show([]);
-    } else if (this.cloth.data !== data) {
+    } else if (this.cloth.data !== data || this.moved) {
       this.cloth.show(data);
       this.paths = new EdgePaths(data);
       this.trims.show(data.trims);
     }
+    this.moved = false;
     this.markTrims();
     this.drawSeams();
     this.markAgain();
@@ -89,6 +92,7 @@ export class GarmentViewer {
 
   showFrame(frame: Float32Array): void {
     this.cloth.moveTo(frame);
+    this.moved = true;
     // They lie where the cloth was; the garment that comes at the end brings its own.
     this.trims.show([]);
     this.markTrims();

@@ -60,9 +60,6 @@ def test_trims_are_hidden_while_physics_moves_the_cloth(studio_page):
     before = studio_page.mesh()
     studio_page.button("Drape").click()
     page.locator('.garment-window canvas[data-frame][data-trims=""]').wait_for(timeout=WORK_MS)
-    # Cloth that has hardly moved from its flat panels yet carries no pieces.
-    shown = "Number(document.querySelector('.garment-window canvas').dataset.frame)"
-    page.wait_for_function(f"() => {shown} >= 12", timeout=WORK_MS)
     studio_page.button("Stop").click()
     studio_page.wait_for_another_mesh(before)
     studio_page.wait_for_work()
