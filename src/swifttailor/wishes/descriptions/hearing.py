@@ -13,6 +13,7 @@ from dataclasses import replace
 
 from swifttailor.describing.claims import Claim
 from swifttailor.describing.differences import Change, Gain
+from swifttailor.networks.beside import beside
 from swifttailor.wishes.corrections.closed_behind import without_opposites
 from swifttailor.wishes.corrections.deep_cuffs import without_deep_cuffs
 from swifttailor.wishes.corrections.long_names import (
@@ -113,6 +114,7 @@ def _is_named(heard: Heard) -> bool:
 def _heard_description(text: str, reader: WishReader) -> Heard:
     text, words = text_as_read(made_into_a_dress(without_side_remarks(without_asides(first_piece(text)))))
     own, before = text, words
+    whole = beside(reader.whole, own, instruction=False) if words.language == ENGLISH else None
     if (plain := coats_by_length(plainly_wished(text))) != text:
         text, words = plain, read_words(plain)
     if words.language == ENGLISH and (dress := skirts_of_dresses(text, words)) != text:
@@ -145,11 +147,11 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
         *stated,
         *[w for w in found if not _is_outdone(w, said, never) and w.change not in _changes(stated)],
     )
-    if words.language == ENGLISH:
+    if whole is not None and words.language == ENGLISH:
         alone = _kind_named_alone(text, words)
         found = described_as_a_whole(
             found,
-            reader.whole(own, instruction=False),
+            whole(),
             stated=[
                 *_changes(stated),
                 *[

@@ -8,10 +8,11 @@ The table is for anybody to extend.
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from functools import cache
 from pathlib import Path
 
-from swifttailor.wishes.text.sayings_table import SayingsTable, read_sayings
+from swifttailor.wishes.text.sayings_table import Saying, SayingsTable, read_sayings
 
 _TABLE = Path(__file__).with_name("sayings_of_wishes.txt")
 
@@ -22,10 +23,7 @@ def plainly_wished(text: str) -> str:
     Args:
         text: In any case.
     """
-    for saying in _table().sayings:
-        if saying.pattern.search(text.lower()):
-            text = re.sub(saying.pattern.pattern, saying.plain, text, flags=re.IGNORECASE)
-    return text
+    return _plain(text, _table().sayings)
 
 
 def without_asides(text: str) -> str:
@@ -36,9 +34,15 @@ def without_asides(text: str) -> str:
     Args:
         text: In any case.
     """
-    for saying in _table().asides:
-        if saying.pattern.search(text.lower()):
+    return _plain(text, _table().asides)
+
+
+def _plain(text: str, sayings: Sequence[Saying]) -> str:
+    lowered = text.lower()
+    for saying in sayings:
+        if saying.pattern.search(lowered):
             text = re.sub(saying.pattern.pattern, saying.plain, text, flags=re.IGNORECASE)
+            lowered = text.lower()
     return text
 
 

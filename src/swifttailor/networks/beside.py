@@ -1,0 +1,30 @@
+"""Work in another thread beside what this one does: for networks, which let go of the interpreter."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from functools import cache
+from typing import ParamSpec, TypeVar
+
+P = ParamSpec("P")
+T = TypeVar("T")
+
+
+def beside(call: Callable[P, T], *args: P.args, **named: P.kwargs) -> Callable[[], T]:
+    """Begins a call, and gives what waits for its result.
+
+    Args:
+        call: Must not begin another one beside itself: there is a single thread.
+        *args: Of the call.
+        **named: Of the call.
+
+    Returns:
+        What gives the result, or raises what the call raised.
+    """
+    return _thread().submit(call, *args, **named).result
+
+
+@cache
+def _thread() -> ThreadPoolExecutor:
+    return ThreadPoolExecutor(1, thread_name_prefix="beside")
