@@ -32,6 +32,10 @@ def test_a_collar_on_a_wide_neckline_stands_off_unless_a_deep_one_is_asked_for()
     assert sits_badly(wide, [Gain(Claim("neck_depth", "low"))]) == ()
 
 
+def test_briefs_that_reach_the_waist_leave_the_hips_bare():
+    assert sits_badly(measure_facts(swifttailor.draft("briefs", below_waist=2.0)), []) == ()
+
+
 def test_what_is_narrower_than_the_hips_does_not_go_over_them():
     facts = measure_facts(swifttailor.draft("trousers"))
     hips = facts.body.hip_girth

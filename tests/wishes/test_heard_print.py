@@ -30,6 +30,11 @@ def test_colours_have_their_places_in_a_print(text, kind, colors):
     assert found is not None and (found.kind, found.colors) == (kind, colors)
 
 
+def test_dark_figures_are_pale_on_a_dark_ground():
+    ground, figure = (int(color[1:3], 16) for color in asked("navy shorts with little anchors").colors[:2])
+    assert figure > ground + 100
+
+
 def test_direction_and_size_are_obeyed():
     down = asked("shirt with 2 cm vertical stripes")
     assert down is not None and (down.size("angle"), down.size("width"), down.size("gap")) == (90, 2, 2)
@@ -48,6 +53,9 @@ def test_direction_and_size_are_obeyed():
         ("wide striped shirt", 90, 6),
         ("shirt with 3 cm stripes", 90, 3),
         ("shirt with horizontal stripes", 0, 2.5),
+        ("striped pyjama top", 90, 1.2),
+        ("a striped nightshirt", 90, 1.2),
+        ("a striped polo shirt", 0, 2.5),
         ("a striped tee", 0, 2.5),
         ("a striped jumper", 0, 2.5),
     ],

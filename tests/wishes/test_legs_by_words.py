@@ -55,6 +55,12 @@ def test_they_do_not(text):
     assert length(legs_as_said(TROUSERS, text, (), ())) == 100.0
 
 
+@pytest.mark.parametrize("text", ["cropped wide trousers", "chinos, cropped", "half-mast trousers"])
+def test_cropped_ones_end_above_the_ankle(text):
+    assert 80.0 < length(legs_as_said(TROUSERS, text, (), ())) < 88.0
+    assert length(legs_as_said(TROUSERS, "trousers with a cropped jacket", (), ())) == 100.0
+
+
 def test_short_ones_stay_short():
     shorts = NamedDraft("trousers", (("length", 50.0),))
     assert legs_as_said(shorts, "super long shorts", (), ()) == shorts

@@ -270,6 +270,13 @@ def test_what_is_answered_or_likened_is_put_plainly(text, plain):
         ("for my cousins summer wedding", "for wedding guest"),
         ("batwing jumper off one shoulder", "batwing jumper with a slouchy wide neckline"),
         ("bodysuit with orange panels", "bodysuit with orange side panels"),
+        ("joggers with three white stripes", "joggers with three white stripes down the sides"),
+        ("navy trousers with a red stripe", "navy trousers with a red stripe down the sides"),
+        ("tracksuit bottoms with red stripes", "tracksuit bottoms with red stripes down the sides"),
+        ("tracksuit jacket with red stripes", "tracksuit jacket with red stripes down the sleeves"),
+        ("trousers with red stripes", "trousers with red stripes"),
+        ("shorts with a white stripe on the hem", "shorts with a white stripe on the hem"),
+        ("black dungarees with short legs", "black short dungarees"),
     ],
 )
 def test_what_would_be_read_as_something_else_is_put_plainly(text, plain):

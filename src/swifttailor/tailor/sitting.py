@@ -41,6 +41,8 @@ def sits_badly(facts: GarmentFacts, said: Sequence[Change], *, cloth_stretch: fl
     hem = facts.hem
     # What covers the front alone, as an apron does, goes around no hips.
     reaches = hem is not None and hem.level < body.hips - 5.0 and hem.back < body.hips
+    # Nor do hips that briefs leave bare at the sides.
+    reaches = reaches and not (facts.trousers is not None and facts.trousers.thigh <= 0)
     gives = 1 + cloth_stretch
     if lower is not None and reaches and gives * lower.hips < body.hip_girth - TOO_NARROW_CM:
         found.append("it is narrower than the hips")

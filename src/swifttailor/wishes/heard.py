@@ -13,7 +13,7 @@ from swifttailor.garment.cloth_print import ClothPrint
 from swifttailor.pattern.drafts.draft_names import ARMHOLES, NamedDraft
 from swifttailor.render.lab import lab_of_hex
 from swifttailor.wishes.drafts.heard_drafts import drafts_of
-from swifttailor.wishes.looks.color_of_bodies import color_of_body
+from swifttailor.wishes.looks.color_of_bodies import color_behind_name, color_of_body
 from swifttailor.wishes.looks.flecks import is_flecked
 from swifttailor.wishes.looks.heard_looks import NO_LOOKS, HeardLooks, heard_looks
 from swifttailor.wishes.looks.heard_print import asks_for_plain, heard_print
@@ -82,7 +82,9 @@ class Heard:
         named = self.words.colors if self.words is not None else ()
         unwanted = self._unwanted_colors
         meant = (color for color in self._implied_colors if color not in unwanted)
-        body = None if self.words is None else color_of_body(self.words.looks)
+        body = (
+            None if self.words is None else color_of_body(self.words.looks) or color_behind_name(self.words)
+        )
         rgb = named[0].rgb if named else body or next(meant, None)
         dyed = _COLOR_OF_CLOTH.get(self.cloth or "")
         if rgb is None or (dyed is not None and rgb == _BLUE):

@@ -180,7 +180,11 @@ class NamedDraft:
         hem = (*(_OF_DIPS if options.get(HEM_DIP) else ()), *(_OF_ARCS if options.get(SCALLOPS) else ()))
         hem = (*hem, *(_OF_RACERS if options.get(RACER) else ()))
         hem = (*hem, *(_OF_BUBBLES if options.get(HEM_BAND) else ()))
-        hem = (*hem, *(_OF_POINTS if options.get(HEM_POINTS) else ()))
+        hem = (
+            *hem,
+            *(_OF_POINTS if options.get(HEM_POINTS) else ()),
+            *(_OF_PLEATS if options.get(PLEATS) else ()),
+        )
         blousing = self.name == "joggers" and float(options.get("leg_ease", 0.0)) >= BLOUSING_CM
         ends = _blousing_ends(float(options.get("length", 98.0))) if blousing else ()
         bowed = _OF_BOWS if options.get("bow") else _OF_BARRELS if options.get("barrel") else ()
@@ -188,7 +192,8 @@ class NamedDraft:
         long = self.name in _LONG_TOPS and float(options.get("length", 0.0)) >= LONG_TOP_CM
         legs = (*legs, *self._tiers_to_the_eye, *(_OF_LONG_TOPS if long else ()))
         shown = (_OF_STANDS if stands else (), slits, falls, bib, broad, high, wings, hem, legs)
-        return (*DRAFTS_ARE.get(self.name, ()), *[claim for claims in shown for claim in claims])
+        are = _HALTER if options.get("halter") else DRAFTS_ARE.get(self.name, ())
+        return (*are, *[claim for claims in shown for claim in claims])
 
     @property
     def _tiers_to_the_eye(self) -> tuple[tuple[str, str | float], ...]:
@@ -232,7 +237,7 @@ HEM_BAND, PUFFBALL = "hem_band", "puffball"
 """The option of gathered hems that are drawn into a band, and what they are in ``cannot.txt``."""
 PLEATS, PLEATED, _LEAST_PLEATS = "pleats", "pleats", 2
 """The option of pleated skirts of dresses, what it is in ``cannot.txt``, and how many pleats are some."""
-_OF_BUBBLES = (("skirt", "gathered"),)
+_OF_BUBBLES, _OF_PLEATS = (("skirt", "gathered"),), (("skirt", "flared"), ("skirt", "a-line"))
 HEM_DIP, SCALLOPS, HEM_POINTS = "hem_dip", "scallop_width", "hem_points"
 """The options of hems that are lower behind than in front, that are cut in arcs, and that hang in points."""
 SIDE_SLITS = "side_slits"
@@ -248,7 +253,7 @@ DROPPED_CM = 6.0
 _OF_WINGS = (("sleeve_shape", "wide"),)
 LEG_SLITS, BACK_RISE, CROSSED, TRAILING = "slits", "back_rise", "crossed", "trailing_sleeves"
 CROSSED_STRAPS = "crossed_straps"
-_OPTIONS_SHOW = {SIDE_SLITS: LEG_SLITS, BACK_RISE: BACK_RISE, CROSSED: CROSSED_STRAPS}
+_OPTIONS_SHOW = {SIDE_SLITS: LEG_SLITS, BACK_RISE: BACK_RISE, CROSSED: CROSSED_STRAPS, "halter": "halter"}
 """What open ends of legs and the like, which have options of their own, are in ``cannot.txt``."""
 _OF_CROSSED = (("neckline", "square"),)
 """Of bibs, whose straps say no more where they end."""

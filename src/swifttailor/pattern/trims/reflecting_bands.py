@@ -24,7 +24,10 @@ _ROWS, _ACROSS = 11, 24
 
 def reflecting_bands(chalk: Chalk, name: str) -> list[Trim]:
     """Two around the body, or around each leg of trousers."""
-    panels = _TORSO if _TORSO[0] in chalk.views else _LEGS
+    return _around(chalk, name, _TORSO) or _around(chalk, name, _LEGS)  # bibs go around no torso
+
+
+def _around(chalk: Chalk, name: str, panels: tuple[str, ...]) -> list[Trim]:
     views = [chalk.views.get(panel) for panel in panels]
     if any(view is None for view in views):
         return []

@@ -26,6 +26,7 @@ from swifttailor.wishes.drafts.held_drafts import held_as_asked, on_straps_that_
 from swifttailor.wishes.drafts.hooded_drafts import hooded_as_asked
 from swifttailor.wishes.drafts.legged_drafts import legs_as_asked
 from swifttailor.wishes.drafts.sleeved_drafts import sleeves_as_asked
+from swifttailor.wishes.drafts.swimsuits_as_asked import swimsuit_as_asked
 
 _BARE = Claim("shoulders", "strapless")
 _ROLLED_CM, _STANDS_CM = 8.0, 4.0
@@ -180,7 +181,7 @@ def _as_another(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     if draft.name == "bustier" and Claim("shoulders", "both") in claims:
         return NamedDraft("fitted-top")
     if draft.name == "swimsuit":
-        return _swimsuit_with_neck(draft, claims)
+        return swimsuit_as_asked(draft, claims)
     if draft.name == _SWEATSHIRT and Claim("hood", "hood") in claims:
         return NamedDraft("hoodie", tuple([o for o in draft.options if o[0] in _OF_BANDED]))
     if draft.name == "blazer" and Claim("collar", "none") in claims:
@@ -188,18 +189,6 @@ def _as_another(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     return draft
 
 
-def _swimsuit_with_neck(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
-    """A swimsuit cut like a bodysuit, where a neck is asked for that none on thin straps has."""
-    square = Claim("neckline", "square") in claims
-    if not square and Claim("neck_depth", "plunging") not in claims:
-        return draft
-    neck: tuple[tuple[str, float | str], ...] = _SQUARE_NECK if square else _PLUNGING_NECK
-    return NamedDraft("bodysuit", (*_LIKE_A_SWIMSUIT, *neck))
-
-
-_LIKE_A_SWIMSUIT = (("stretch", 8.0), ("sleeves", False), ("armhole_drop", 2.0), ("back_neck_depth", 14.0))
-_SQUARE_NECK = (("neckline", "square"), ("neck_widening", 5.0), ("neck_depth", 15.0))
-_PLUNGING_NECK = (("neckline", "v"), ("neck_widening", 4.5), ("neck_depth", 22.0))
 _OF_BANDED = ("length", "chest_ease", "shoulder_extension", "sleeve_length", "arm_ease", "sleeve_end")
 _COLLARLESS = NamedDraft.parse(
     "cardigan(length=21;chest_ease=11;neck_depth=16;opening=0;sleeve_end=27;closed_to=8)"
@@ -279,7 +268,8 @@ def _worn_over(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     """Aprons as long as is asked for, capes with a hood where one is."""
     if draft.name == "apron":
         hems = [APRON_HEMS[str(c.value)] for c in claims if c.name == "skirt_hem" and c.value in APRON_HEMS]
-        return replace(draft, options=(("length", hems[0]),)) if hems else draft
+        own = dict(draft.options)
+        return replace(draft, options=tuple({**own, "length": hems[0]}.items())) if hems else draft
     if draft.name == "cape":
         hood = Claim("hood", "hood") in claims
         return replace(draft, options=tuple({**dict(draft.options), "hood": hood}.items()))

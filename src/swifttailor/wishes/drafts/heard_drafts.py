@@ -21,6 +21,7 @@ from swifttailor.wishes.drafts.godets_as_asked import godets_as_asked
 from swifttailor.wishes.drafts.gored_drafts import gored_as_said
 from swifttailor.wishes.drafts.hearted_drafts import hearted_as_asked
 from swifttailor.wishes.drafts.huge_skirts import huge_as_said
+from swifttailor.wishes.drafts.jumpsuit_collars import with_shirt_collar
 from swifttailor.wishes.drafts.legs_by_words import ELASTIC, legs_as_said
 from swifttailor.wishes.drafts.loosened_drafts import is_to_be_loose, loosened_as_asked
 from swifttailor.wishes.drafts.low_skirts import low_as_asked
@@ -32,6 +33,7 @@ from swifttailor.wishes.drafts.refused_looks import as_not_refused
 from swifttailor.wishes.drafts.said_details import with_details
 from swifttailor.wishes.drafts.sailor_collars import asks_for_sailor_collar, with_sailor_collar
 from swifttailor.wishes.drafts.straight_edges import straight_as_said
+from swifttailor.wishes.drafts.swimsuits_as_asked import on_a_halter
 from swifttailor.wishes.drafts.tiers_as_asked import tiers_as_asked
 from swifttailor.wishes.drafts.tops_to_the_legs import is_long_top, to_the_legs_as_said
 from swifttailor.wishes.drafts.wound_skirts import wound_as_asked
@@ -96,7 +98,8 @@ def drafts_of(heard: Heard) -> tuple[NamedDraft, ...]:
     """
     entries = _entries(heard)
     sure = _sure_claims(heard)
-    fitting = [armholes_as_asked(draft, heard.lacks) for draft in _begun(heard, entries, sure)]
+    begun = on_a_halter(_begun(heard, entries, sure))
+    fitting = [armholes_as_asked(draft, heard.lacks) for draft in begun]
     fitting = [oversized_as_asked(draft, sure) for draft in fitting]
     fitting = [hearted_as_asked(draft, heard.lacks, sure) for draft in fitting]
     if _clings(heard) and not is_to_be_loose(sure):
@@ -117,6 +120,7 @@ def drafts_of(heard: Heard) -> tuple[NamedDraft, ...]:
     fitting = [legs_as_said(draft, heard.text, _elastic(heard), heard.never) for draft in fitting]
     lacks = frozenset([lack.what for lack in heard.lacks])
     fitting = [with_details(draft, lacks, sure) for draft in fitting]
+    fitting = [with_shirt_collar(draft, heard.text, lacks) for draft in fitting]
     fitting = [tiers_as_asked(godets_as_asked(draft, sure), sure) for draft in fitting]
     fitting = [bubble_as_asked(draft, heard.lacks, sure) for draft in fitting]
     fitting = [wrapped_close_as_asked(draft, sure) for draft in wound_as_asked(fitting, sure)]

@@ -25,6 +25,9 @@ _GATHERED, _BANDED = Claim("leg_cuffs", "gathered"), Claim("leg_cuffs", "band")
 _FULL = frozenset({Claim("legs", "tapered"), Claim("legs", "wide"), Claim("hips", "loose")})
 """Legs of which there is something to gather into a band; turn-ups are called cuffs as well."""
 _NOT_CUFFED = frozenset({Claim("leg_cuffs", "none"), Claim("leg_cuffs", "flounce"), Claim("legs", "flared")})
+_UNCUFFED = Claim("leg_cuffs", "none")
+_OPEN_JOGGERS = NamedDraft.parse("pull-on-trousers(length=99;hip_ease=10;leg_ease=22;flare=-3)")
+"""Joggers whose ends are open."""
 _GATHERS_FROM_CM = 24.0
 """Legs with so much room at the knee do not narrow above their cuffs: they are gathered there."""
 _SHORTEST_JOGGERS, _LONGEST_JOGGERS = 44.0, 98.0
@@ -42,6 +45,20 @@ _TAPERED, _TO_THE_ANKLE_CM, _WIDE_BAND_CM = Claim("legs", "tapered"), 92.0, 8.0
 _ROOMY: Mapping[str, float] = {"hip_ease": 16.0, "leg_ease": 18.0, "flare": -9.0}
 """Trousers that are wide at the hips and narrow below."""
 _LOOSE, _LOOSE_CM = Claim("hips", "loose"), 12.0
+_LEGGINGS, _SHORTEST_LEGGINGS_CM = "leggings", 43.0
+_OF_JERSEY: Mapping[Claim, NamedDraft] = {
+    Claim("legs", "flared"): NamedDraft.parse(
+        "flares(stretch=8;leg_ease=1.5;hip_ease=1.5;flare=26;length=101;band_height=7;crotch_drop=0)"
+    ),
+    Claim("legs", "straight"): NamedDraft.parse(
+        "flares(stretch=8;leg_ease=2;hip_ease=1.5;flare=8;length=100;band_height=7;crotch_drop=0)"
+    ),
+}
+"""What leggings are cut as whose legs are to be so: of the same cloth, and close to the knee."""
+_WIDE_BAND, _WIDE_BANDS = Claim("waistband", "wide"), ("leggings", "flares", "jeans", "trousers", "joggers")
+_BROAD_CM = 9.0
+"""Height of waistbands that are measured to be wide."""
+_HIGH_RISE = Claim("rise", "high")
 
 
 def legs_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft | None:
@@ -53,6 +70,10 @@ def legs_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft | No
     """
     if draft.name in _WITHOUT_LEGS and any(_has_legs(claim) for claim in claims):
         return None
+    if draft.name == _LEGGINGS and not dict(draft.options).get("length", 0.0):
+        draft = next((cut for claim, cut in _OF_JERSEY.items() if claim in claims), draft)
+    if draft.name == _JOGGERS and _UNCUFFED in claims and not dict(draft.options).get("crotch_drop"):
+        draft = _OPEN_JOGGERS
     draft = _with_legs(_with_leg_cuffs(draft, claims), claims)
     return None if draft.name == _JOGGERS and _NOT_CUFFED.intersection(claims) else draft
 
@@ -84,19 +105,31 @@ def _with_legs(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
             closer = float(options.get("leg_ease", _CLOSEST)) < _LEGS["slim"]["leg_ease"]
             options |= {} if claim == _SLIM and closer else asked
     if DRAFT_KINDS[draft.name] == "jumpsuit":
-        ends = [_SHORT_CM[str(c.value)] for c in claims if c.name == "leg_hem" and str(c.value) in _SHORT_CM]
+        ends = [cm for c in claims if (cm := _short_cm(c))]
         options |= {"length": ends[0], "flare": max(float(options.get("flare", 0.0)), 0.0)} if ends else {}
     if draft.name == "trousers" and {_LOOSE, _TAPERED} <= frozenset(claims):
         return _roomy_and_tapered(options, claims)
-    if draft.name == "trousers" and _WIDE in claims and float(options.get("leg_ease", _CLOSEST)) < _WIDE_CM:
+    if draft.name in _MAY_DRAG and _WIDE in claims and float(options.get("leg_ease", _CLOSEST)) < _WIDE_CM:
         options |= _LEGS["wide"]
     if DRAFT_KINDS[draft.name] == "trousers":
         for claim in claims:
             options |= {"below_waist": _BELOW_WAIST[claim]} if claim in _BELOW_WAIST else {}
             options |= _as_long(draft.name, claim)
+        if _WIDE_BAND in claims and draft.name in _WIDE_BANDS:
+            options["band_height"] = max(_BROAD_CM, float(options.get("band_height", 0.0)))
+        if _HIGH_RISE in claims and draft.name == "briefs":
+            options["below_waist"] = 2.0
+        if draft.name == _LEGGINGS and float(options.get("length", _LONG_LEGS_CM[0])) < _LONG_LEGS_CM[0]:
+            ends = [cm for c in claims if (cm := _short_cm(c))]
+            options |= {"length": max(ends[0], _SHORTEST_LEGGINGS_CM)} if ends else {}
     if _LOOSE in claims:
         options["hip_ease"] = max(_LOOSE_CM, float(options.get("hip_ease", 0.0)))
     return replace(draft, options=tuple(options.items()))
+
+
+def _short_cm(claim: Claim) -> float:
+    """How long legs are that are to be so short, from the waist, cm; 0 of other claims."""
+    return _SHORT_CM.get(str(claim.value), 0.0) if claim.name == "leg_hem" else 0.0
 
 
 def _roomy_and_tapered(options: Mapping[str, float | bool | str], claims: Sequence[Claim]) -> NamedDraft:

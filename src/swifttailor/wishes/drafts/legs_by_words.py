@@ -56,6 +56,22 @@ _SEVEN_EIGHTHS = re.compile(
     re.IGNORECASE,
 )
 """Legs that end a hand above the ankle bone, higher than ankle length does."""
+_CROPPED = re.compile(
+    r"(?<!\w)(?:crop(?:ped)?|ankle[- ]swinging|half[- ]mast)(?!\w)(?! (?:jacket|top|tee|cardigan|sleeve))",
+    re.I,
+)
+_CROPPED_CM: Mapping[str, float] = {
+    "trousers": 84.0,
+    "pull-on-trousers": 84.0,
+    "jeans": 84.0,
+    "flares": 86.0,
+    "jumpsuit": 84.0,
+    "strappy-jumpsuit": 84.0,
+    "strapless-jumpsuit": 84.0,
+    "halter-jumpsuit": 84.0,
+    "dungarees": 84.0,
+}
+"""Legs that end a hand above the ankle, as cropped ones do: culottes and capris are shorter by name."""
 _WHOLE_LEGS = ("trousers", "pull-on-trousers", "jeans", "leggings", "flares")
 _PULLED_ON: Mapping[str, float] = {"hip_ease": 7.0, "leg_ease": 21.0, "flare": -3.5}
 """What trousers that are gathered at the waist have at least, as they have no darts."""
@@ -92,6 +108,8 @@ def legs_as_said(
         full = max(_GATHERS, float(options.get("gathers", 0.0)))
         return replace(draft, options=tuple({**options, "gathers": full}.items()))
     long = float(options.get("length", _LONG_CM)) >= _LONG_CM
+    if draft.name in _CROPPED_CM and long and _CROPPED.search(text):
+        return replace(draft, options=tuple({**options, "length": _CROPPED_CM[draft.name]}.items()))
     if draft.name in _WHOLE_LEGS and long and _SEVEN_EIGHTHS.search(text):
         return replace(draft, options=tuple({**options, "length": _SHORTER_CM}.items()))
     if draft.name in _LONGEST and long and _DRAGS.search(text) and not _NOT_LONG.search(text):

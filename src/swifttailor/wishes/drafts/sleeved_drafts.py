@@ -48,6 +48,8 @@ _LENGTHS: Mapping[str, float] = {
     "extra-long": 66.0,
 }
 _EXTRA_LONG = Claim("sleeves", "extra-long")
+_LONGEST_BARE_CM = 64.0
+"""Of sleeves that begin below the shoulder."""
 _SLIM, _DEEP = Claim("sleeve_shape", "slim"), Claim("cuffs", "deep")
 _SLIM_ARM = 3.5
 """Room around the arm of sleeves that are to be close, cm."""
@@ -116,7 +118,7 @@ def _with_plain_sleeves(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraf
         short = {"sleeve_length": told[0], "sleeve_end": _SHIRT_END, "cuffs": False}
         return replace(draft, options=tuple({**options, **short}.items()))
     if told and draft.name in _BELOW_SHOULDERS and told[0] >= _LENGTHS["three-quarter"]:
-        options |= {"sleeve_length": told[0], "sleeve_end": _ENDS[told[0]]}
+        options |= {"sleeve_length": min(told[0], _LONGEST_BARE_CM), "sleeve_end": _ENDS[told[0]]}
         return replace(draft, options=tuple(options.items()))
     if not told or draft.name not in _SET_IN or options.get("sleeves"):
         return draft

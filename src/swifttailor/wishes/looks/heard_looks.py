@@ -84,6 +84,8 @@ def heard_looks(
         if look.cloth == _OTHER:
             refused.append(f"another cloth of the {look.noun.lower()}")
             continue
+        if look.part not in PARTS and look.color is not None and f"#{look.color.rgb}" == color:
+            continue  # the whole is of it
         if look.part not in PARTS:
             refused.append(f"another {'look' if look.color is None else 'colour'} of the {look.noun.lower()}")
             continue

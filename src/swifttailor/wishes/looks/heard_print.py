@@ -40,9 +40,12 @@ _SLANTED = re.compile(
 )
 _DIRECTIONS = ((_SLANTED, 45.0), (_DOWN, 90.0), (_ACROSS, 0.0))
 _STRIPED_DOWN = frozenset(
-    "shirt shirt-dress blazer waistcoat trousers pull-on-trousers jeans flares coat dungarees".split()
+    "shirt shirt-dress blazer waistcoat trousers pull-on-trousers jeans flares coat dungarees apron "
+    "robe".split()
 )
 """Drafts of garments whose stripes run down, where no more is said of them; knitted ones are hooped."""
+_WOVEN = frozenset({("collar", "revers"), ("collar", "shirt")})
+"""Options of what is buttoned like a shirt, as pyjamas and nightshirts are: its cloth is no knit."""
 _SHIRTING_CM = 1.2
 """So wide are stripes of shirts and trousers, where no more is said of them."""
 _TARTANS = re.compile(
@@ -199,8 +202,8 @@ def _inks_of_others(marks: Sequence[WordMark], kind: str) -> tuple[str, ...]:
 def _is_striped_down(words: WordReading) -> bool:
     """Whether the first garment that is named is one whose stripes run down."""
     marks = [m for m in words.marks if m.role == "garment" and not m.denied]
-    drafts = [draft.name for entry in marks[0].entries for draft in entry.drafts] if marks else []
-    return bool(drafts) and drafts[0] in _STRIPED_DOWN
+    drafts = [draft for entry in marks[0].entries for draft in entry.drafts] if marks else []
+    return bool(drafts) and (drafts[0].name in _STRIPED_DOWN or not _WOVEN.isdisjoint(drafts[0].options))
 
 
 def _unlike(sizes: Mapping[str, float], kind: str) -> dict[str, float]:

@@ -251,11 +251,23 @@ def _coat(name: str, named: Sequence[str]) -> tuple[str, ...]:
 def seen_on(ground: str, inks: Sequence[str]) -> tuple[str, ...]:
     """Inks of figures, those darker that would not be seen on a ground: rabbits are grey on white.
 
+    On a dark ground they are lighter instead: anchors are pale on navy.
+
     Args:
         ground: ``#rrggbb``.
         inks: The same of each.
     """
-    return tuple([mixed(ink, _BLACK, 0.68) if _apart(ground, ink) < _LEAST_APART else ink for ink in inks])
+    dark = brightness(ground) < _LIGHT_FROM / 3
+    return tuple(
+        [
+            ink
+            if _apart(ground, ink) >= _LEAST_APART
+            else mixed(ink, LIGHT, 0.2)
+            if dark
+            else mixed(ink, _BLACK, 0.68)
+            for ink in inks
+        ]
+    )
 
 
 def _apart(one: str, other: str) -> int:

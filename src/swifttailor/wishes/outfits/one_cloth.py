@@ -21,11 +21,15 @@ MATCHING = re.compile(
 """What says that one is in the colour and the cloth of the other."""
 _SET = re.compile(
     r"(?<!\w)(?:(?:as|for) (?:an? )?)?(?:matching |(?:two|2)[- ]?piece )?(?:sets?|twin ?set)"
-    r"(?![\w-]|[ -]in(?!\w))",
+    r"(?![\w-]|[ -]in (?:sleeve|arm)|[ -]in$)",
     re.IGNORECASE,
 )
 """What says the same behind their names: "hoodie and joggers set"."""
 COLORS, CLOTHS = ("colors", "shades", "prints"), ("fabrics",)
+_NIGHTWEAR = "pyjama"
+"""What sets are of whose other names have nothing of it: PJs, jammies, pajamas."""
+_SWIMWEAR = ("tankini", "bikini", "swim", "rash")
+"""First words of tops to swim in: skirts and shorts beside them are to swim in, too."""
 _MERE = ("bottoms", "bottom", "top")
 """Names of garments that say where they are worn, and no more."""
 LEGS_TOO = re.compile(
@@ -62,7 +66,7 @@ def in_the_set(word: str, name: str, called: str) -> str:
     """
     kind, _, _ = name.rpartition(" ")
     kind = kind.split()[-1] if kind else ""
-    if not kind or kind not in called.lower():
+    if not kind or (kind not in called.lower() and kind != _NIGHTWEAR):
         return word
     return _named_as(kind, word)
 
@@ -74,6 +78,9 @@ def like_the_other(word: str, other: str) -> str:
         word: As the text has it: "bottoms".
         other: Name of the other garment: "scrub top".
     """
+    first = other.lower().split()[0]
+    if first in _SWIMWEAR and word.lower() in ("skirt", "shorts"):
+        return _named_as("swim", word)
     return _named_as(other.split()[0], word) if word.lower() in _MERE and " " in other else word
 
 

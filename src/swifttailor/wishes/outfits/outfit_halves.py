@@ -21,6 +21,8 @@ _PARTS = {
     ),
     "lower": frozenset("legs left_leg right_leg leg_cuffs skirt seat thigh crotch".split()),
 }
+_OF_SLEEVES = frozenset({"sleeve_shape", "sleeve_head", "cuffs", "straps", "shoulders"})
+"""What is told of with sleeves: there are none on straps."""
 _COAT = ("coat", "parka", "mac", "duster", "kurta", "kurti", "kameez", "ao dai tunic")
 _BODYSUIT = ("bodysuit", "body suit")
 """Names of what is cut like a dress and worn over the lower garment, and of what goes into it."""
@@ -46,6 +48,13 @@ def half_told(mark: WordMark, language: Language) -> Half | None:
     if mark.part is not None and mark.part not in (*_PARTS["upper"], *_PARTS["lower"]):
         return None
     return halves.pop() if len(halves) == 1 else None
+
+
+def subjects(mark: WordMark) -> set[str]:
+    """What a word about details tells something of: of a collar nothing tells how long sleeves are."""
+    names = {each.claim.name for entry in mark.entries for each in entry.implied}
+    parts = {entry.part for entry in mark.entries} | {mark.part}
+    return {"sleeves" if name in _OF_SLEEVES else name for name in (*names, *parts) if name}
 
 
 def _halves(entry: Entry) -> set[Half]:

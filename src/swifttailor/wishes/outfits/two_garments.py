@@ -25,7 +25,7 @@ from swifttailor.wishes.outfits.one_cloth import (
     set_words,
 )
 from swifttailor.wishes.outfits.outfit_chunks import DETERMINERS, LOOKS, Chunk, bare, chunks_of, is_of_both
-from swifttailor.wishes.outfits.outfit_halves import HALVES, Half, half_named, half_told
+from swifttailor.wishes.outfits.outfit_halves import HALVES, Half, half_named, half_told, subjects
 from swifttailor.wishes.outfits.outfit_pieces import (
     Pieces,
     are_asked_for,
@@ -145,8 +145,13 @@ class _Outfit:
         self._of_parts = {id(mark) for look in elsewhere for mark in look.marks}
         self._garments = [mark for mark, _ in pieces.named]
         self._garments += [*pieces.outfits, *[one.mark for one in pieces.two.values()]]
-        self.is_set = is_one_cloth(text, pieces.outfits)
+        self.is_set = is_one_cloth(text, pieces.outfits) or self._names_its_like()
         self._owners = self._find_owners()
+
+    def _names_its_like(self) -> bool:
+        """Whether a name says no more than where it is worn, and means one like the other: "bottoms"."""
+        upper, lower = (self._mark(half).word for half in HALVES)
+        return like_the_other(lower, upper) != lower or like_the_other(upper, lower) != upper
 
     def said_of(self, half: Half) -> str:
         """What the text says of one of the garments."""
@@ -249,6 +254,8 @@ class _Outfit:
                 edits.append((mark.start, mark.end if of is None else of.end(), ""))
         edits += [(start, end, "") for start, end in set_words(self._text)]
         for found in LEGS_TOO.finditer(self._text):
+            if found.start("lower") <= self._mark("lower").start < found.end("lower"):
+                continue  # "pyjamas, short sleeves and trousers"
             edits += [(*found.span("upper"), found["upper"] if half == "upper" else found["lower"])]
             edits += [(found.start("and"), found.end(), "")]
         edits += [(found.start(), found.end(), "") for found in _BOTH.finditer(self._text)]
@@ -294,10 +301,15 @@ class _Outfit:
 
     def _usual(self, half: Half, name: str) -> str:
         """What a name of both stands for, without what is usual where the text has details of its own."""
-        if not any(self._told(mark) == half and mark not in self._garments for mark in self._words.marks):
-            return name
+        own = [mark for mark in self._words.marks if self._told(mark) == half and mark not in self._garments]
+        named = read_words(" ".join(self._mark(half).word.split()[:-1])).marks  # "a strappy top"
+        told = set().union(*[subjects(mark) for mark in (*own, *named)])
         marks = read_words(name).marks
-        kept = [m.word for m in marks if half_told(m, "en") is None or _category(m) in _NAMES]
+        kept = [
+            m.word
+            for m in marks
+            if half_told(m, "en") is None or _category(m) in _NAMES or told.isdisjoint(subjects(m))
+        ]
         return " ".join(kept)
 
     def _taken_over(self, half: Half) -> list[str]:

@@ -322,6 +322,8 @@ def _usual_pockets(kind: str, cloth: str | None, draft: str) -> tuple[tuple[str,
         return (("chest pocket",),)
     if draft == "denim-jacket":
         return (("chest pockets",),)
+    if draft == "leggings":  # too close for others
+        return (("thigh pocket",),)
     if kind in _LOWER:
         return (("slant pockets", "back pockets"), ("slant pockets",))
     if kind in ("jumpsuit", "playsuit"):

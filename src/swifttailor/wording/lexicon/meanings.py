@@ -230,6 +230,8 @@ def _can_hold(whole: Meaning, part: Meaning) -> bool:
     return any(kinds & _PART_OF.get(each, frozenset()) for each in part.entries[0].kinds)
 
 
+_WANTED = frozenset({"needs", "wants", "requires", "wishes", "needed", "wanted"})
+"""Verbs of persons who are spoken of: what stands behind them is nobody's yet."""
 _STYLED = ("style", "styled", "type", "inspired", "look")
 """What makes of a garment's name a manner: a qipao style top."""
 
@@ -244,8 +246,10 @@ def _followed_by_garment(words: Sequence[Meaning], k: int) -> bool:
 
 
 def _is_theirs(words: Sequence[Meaning], k: int) -> bool:
-    """Whether a garment is named as one that is there: "over my dress"."""
+    """Whether a garment is named as one that is there: "over my dress", but not "my son needs a dress"."""
     before = words[max(0, k - 3) : k]
+    wanted = [j for j, w in enumerate(before, 1) if w.found.word in _WANTED]
+    before = before[max(wanted, default=0) :]
     return any(w.found.word in _MINE and w.found.gap in ("space", "hyphen") for w in before)
 
 

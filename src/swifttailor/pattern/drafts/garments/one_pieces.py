@@ -14,8 +14,10 @@ from swifttailor.pattern.drafts.figure import Figure, Halves
 from swifttailor.pattern.drafts.fitted_strap_bodice import FittedStrapBodice, lay_fitted_strap_bodice
 from swifttailor.pattern.drafts.garments.fitted_garments import SleevedBodiceOptions, lay_sleeved_bodice
 from swifttailor.pattern.drafts.garments.strappy import FrontDip, StrapWidth
+from swifttailor.pattern.drafts.halter_bodice import HalterBodice, lay_halter_bodice, sew_strap
 from swifttailor.pattern.drafts.joins import sew_trousers_to_band, sew_trousers_to_bodice
 from swifttailor.pattern.drafts.measurements import Measurements
+from swifttailor.pattern.drafts.neckline import Neckline
 from swifttailor.pattern.drafts.options import Option
 from swifttailor.pattern.drafts.trousers import sew_legs
 from swifttailor.pattern.pattern import Pattern
@@ -31,6 +33,7 @@ SeatCover = Annotated[
     float, Option("How much of the seat the back covers; 0 leaves a strip in the middle.", "times", 0.0, 1.0)
 ]
 _CROTCH_DROP_CM = 0.0
+_HALTER_NECK = Neckline("v", 0.5, 16.0)
 _BRIEFS_BAND_CM, _BRIEFS_DROP_CM = 3.0, 3.0
 """Height of the band of briefs, and by how much they reach lower than what hangs from the shoulders."""
 
@@ -91,21 +94,34 @@ class SwimsuitOptions:
     hip_ease: CloseHipEase = 4.0
     leg_height: LegHeight = 4.0
     stretch: declared.ClothStretch = 8.0
+    halter: Annotated[bool, Option("Its front rises to the neck and is held by a strap behind it.")] = False
 
 
 def draft_swimsuit(options: SwimsuitOptions, measurements: Measurements) -> Pattern:
     """Drafts the swimsuit for a body: a darted bodice on straps, cut out over the legs."""
     figure = Figure.of(measurements).for_cloth(options.stretch / 100)
     table = CuttingTable("swimsuit", options.stretch / 100)
-    bodice = FittedStrapBodice(options.strap_width, options.bust_ease, options.waist_ease, options.dip)
-    waist = lay_fitted_strap_bodice(table, figure, bodice)
-    return _without_legs(table, figure, Briefs(options.hip_ease, options.leg_height, _CROTCH_DROP_CM), waist)
+    if options.halter:
+        front = HalterBodice(
+            options.bust_ease, 0.0, max(options.strap_width, 1.5), _HALTER_NECK, 0.0, options.waist_ease
+        )
+        waist = lay_halter_bodice(table, figure, front)
+        assert waist is not None
+    else:
+        bodice = FittedStrapBodice(options.strap_width, options.bust_ease, options.waist_ease, options.dip)
+        waist = lay_fitted_strap_bodice(table, figure, bodice)
+    cut = Briefs(options.hip_ease, options.leg_height, _CROTCH_DROP_CM)
+    return _without_legs(table, figure, cut, waist, halter=options.halter)
 
 
-def _without_legs(table: CuttingTable, figure: Figure, briefs: Briefs, waist: Halves) -> Pattern:
+def _without_legs(
+    table: CuttingTable, figure: Figure, briefs: Briefs, waist: Halves, *, halter: bool = False
+) -> Pattern:
     lay_briefs(table, figure, briefs, waist, figure.waist_y)
     table.mirror()
     sew_centres(table)
+    if halter:
+        sew_strap(table)
     sew_legs(table)
     sew_trousers_to_bodice(table)
     return table.finish()

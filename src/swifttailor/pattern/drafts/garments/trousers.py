@@ -30,6 +30,9 @@ Bow = Annotated[
 Barrel = Annotated[
     float, Option("How far each side seam stands out at the knee, as of barrel legs.", "cm", 0.0, 9.0)
 ]
+StretchBandHeight = Annotated[
+    float, Option("Height of the waistband; higher ones reach over the belly.", "cm", 2.0, 13.0)
+]
 CrotchDrop = Annotated[float, Option("Crotch of the trousers below the body's.", "cm", 0.0, 5.0)]
 
 
@@ -87,7 +90,7 @@ class LeggingsOptions:
     leg_ease: SlimLegEase = 1.5
     taper: Taper = 10.0
     crotch_drop: CrotchDrop = 0.0
-    band_height: declared.BandHeight = 6.0
+    band_height: StretchBandHeight = 6.0
     below_waist: declared.BelowWaist = 0.0
     side_slits: declared.LegSlits = 0.0
     back_rise: declared.BackRise = 0.0

@@ -1,0 +1,46 @@
+"""Named drafts of swimsuits with the neck and the back that are asked for."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from swifttailor.describing.claims import Claim
+from swifttailor.pattern.drafts.draft_names import NamedDraft
+
+_LIKE_A_SWIMSUIT = {"stretch": 8.0, "sleeves": False, "armhole_drop": 2.0, "back_neck_depth": 14.0}
+_SQUARE_NECK = {"neckline": "square", "neck_widening": 5.0, "neck_depth": 15.0}
+_PLUNGING_NECK = {"neckline": "v", "neck_widening": 4.5, "neck_depth": 22.0}
+_SCOOPED_NECK = {"neck_widening": 4.5, "neck_depth": 15.0}
+_HALTER = {"halter": True, "strap_width": 3.5}
+_BACKS = {Claim("back_depth", "low"): 30.0, Claim("back_depth", "open"): 36.0}
+"""Fall of backs that are seen to be low: those on straps run straight below the shoulder blades, cm."""
+_STRAPS = frozenset({Claim("straps", "narrow"), Claim("shoulders", "strapless")})
+
+
+def swimsuit_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
+    """A swimsuit cut like a bodysuit, where a neck or a back is asked for that none on straps has.
+
+    Args:
+        draft: A swimsuit, as a table names it.
+        claims: What is asked for, all of it.
+    """
+    depths = [cm for claim, cm in _BACKS.items() if claim in claims]
+    back = {"back_neck_depth": max(depths)} if depths else {}
+    if Claim("neckline", "square") in claims:
+        neck = _SQUARE_NECK
+    elif Claim("neck_depth", "plunging") in claims:
+        neck = _PLUNGING_NECK
+    elif back and _STRAPS.isdisjoint(claims):
+        neck = _SCOOPED_NECK
+    else:
+        return draft
+    return NamedDraft("bodysuit", tuple({**_LIKE_A_SWIMSUIT, **neck, **back}.items()))
+
+
+def on_a_halter(drafts: Sequence[NamedDraft]) -> list[NamedDraft]:
+    """Drafts of which a swimsuit and a halter are one: a swimsuit with a halter neck has no legs."""
+    suits = [draft for draft in drafts if draft.name == "swimsuit"]
+    if not suits or not any(draft.name == "halter-jumpsuit" for draft in drafts):
+        return [*drafts]
+    return [replace(suits[0], options=tuple({**dict(suits[0].options), **_HALTER}.items()))]
