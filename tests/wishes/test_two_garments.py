@@ -1,4 +1,4 @@
-"""Wishes for two garments that are worn together, and for one garment of which it sounds like two."""
+"""Wishes for two garments that are worn together, beside or over each other, and for one that sounds like two."""
 
 import pytest
 
@@ -123,9 +123,6 @@ ONE = [
     "a skirt instead of trousers",
     "not a skirt but a blouse",
     "a skirt or trousers",
-    "a cardigan over a top",
-    "twin set",
-    "a dress and a jacket",
     "a dress with shorts",
     "dungarees with a t-shirt top",
     "a trouser suit jacket",
@@ -144,8 +141,56 @@ ONE = [
     "I have a grey jacket and need trousers to match",
     "a white shirt with black collar and cuffs",
     "a coat dress with a flared skirt",
+    "a cardigan to wear over a top",
+    "a coat that looks like a cape",
+    "a cross between a coat and a cape",
+    "a jacket or a cardigan",
+    "dress with a bolero style top",
+    "dress with a jacket collar",
+    "denim jacket with sheepskin collar",
+    "a dress to wear under my coat",
+    "a jumpsuit and a dress in one",
     "a two tier skirt, and then if you can also do a matching bandeau, but the skirt please",
 ]
+
+LAYERS = [
+    ("a cardigan over a top", "a cardigan", "a top"),
+    ("pale blue twinset", "pale blue twinset cardigan", "pale blue short sleeved knit top"),
+    ("a dress and a jacket", "a jacket", "a dress"),
+    ("floral dress with a denim jacket over it", "a denim jacket", "floral dress"),
+    ("jumper over shirt", "jumper", "a shirt"),
+    ("white t-shirt under denim dungarees", "denim dungarees", "white t-shirt"),
+    ("dungarees with a striped t-shirt underneath", "dungarees", "a striped t-shirt"),
+    ("black slip dress layered over a white tee", "black slip dress", "a white tee"),
+    ("black turtleneck under a pinafore dress", "a pinafore dress", "black turtleneck top"),
+    ("evening dress with matching coat", "coat", "evening dress"),
+    ("satin nightdress and dressing gown set", "satin dressing gown", "satin nightdress"),
+    ("red dress, black jacket", "black jacket", "red dress"),
+    ("tank top with an open shirt over it", "an open shirt", "tank top"),
+    ("pinafore with white blouse", "pinafore", "white blouse"),
+    ("dress over jeans", "dress", "jeans"),
+    (
+        "a red coat with a hood over a white dress with long sleeves",
+        "a red coat with a hood",
+        "a white dress with long sleeves",
+    ),
+    (
+        "a midi dress in pink with long sleeves and a matching coat in the same colour to wear over it",
+        "a pink coat",
+        "a midi dress in pink with long sleeves",
+    ),
+    ("schwarze Jacke über einem roten Kleid", "schwarze Jacke", "einem roten Kleid"),
+    ("robe rouge avec une veste noire", "une veste noire", "robe rouge"),
+    ("vestido rojo con chaqueta negra", "chaqueta negra", "vestido rojo"),
+]
+"""With what is on top before what is beneath it."""
+
+
+@pytest.mark.parametrize(("text", "over", "beneath"), LAYERS)
+def test_one_garment_over_another_is_both(text, over, beneath):
+    found = two_garments(text)
+    assert found is not None and found.layered
+    assert (found.upper, found.lower) == (over, beneath)
 
 
 @pytest.mark.parametrize(("text", "upper", "lower"), TWO)

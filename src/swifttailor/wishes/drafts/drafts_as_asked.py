@@ -282,8 +282,17 @@ def _worn_over(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
         return replace(draft, options=(("length", hems[0]),)) if hems else draft
     if draft.name == "cape":
         hood = Claim("hood", "hood") in claims
-        return replace(draft, options=tuple({**dict(draft.options), "hood": hood}.items()))
+        worn = {**dict(draft.options), "hood": hood, **({} if hood else _collar_of_cape(claims))}
+        return replace(draft, options=tuple(worn.items()))
     return draft
+
+
+def _collar_of_cape(claims: Sequence[Claim]) -> dict[str, str | float]:
+    if _ROLLED in claims:
+        return {ROLLED[0]: ROLLED[1], "collar_height": _ROLL_CM}
+    if Claim("collar", "lapel") in claims:
+        return {"collar": "shirt", "collar_width": 7.0}
+    return {STANDING[0]: STANDING[1], "collar_height": _STANDS_CM} if _STAND in claims else {}
 
 
 def _with_v_neck(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:

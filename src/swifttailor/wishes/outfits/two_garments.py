@@ -1,7 +1,7 @@
 """Wishes for two garments that are worn together, each put into a text of its own.
 
 "A white blouse and a black skirt" is a blouse and a skirt; a navy trouser suit is a navy blazer and navy
-trousers. A dress with a wide skirt is one garment, as are a cardigan and a top, of which one is made.
+trousers; a cardigan over a top is both, of which one is worn over the other. A dress with a wide skirt is one.
 """
 
 from __future__ import annotations
@@ -36,6 +36,7 @@ from swifttailor.wishes.outfits.outfit_pieces import (
     pieces_of,
 )
 from swifttailor.wishes.outfits.side_remarks import without_side_remarks
+from swifttailor.wishes.outfits.worn_over import layered_pieces, said_plainly, without_places
 from swifttailor.wishes.text.text_as_read import text_as_read
 from swifttailor.wishes.wearers.wearer_words import hear_wearer
 from swifttailor.wording.lexicon import WordMark, WordReading, read_words
@@ -70,6 +71,8 @@ class TwoGarments:
     lower: str
     besides: tuple[str, ...] = ()
     """Names of further garments, of which nothing is said in either: of a half one is made."""
+    layered: bool = False
+    """Whether they are worn one over the other, where ``upper`` is what is on top and ``lower`` what is beneath."""
     alike: bool = False
     """Whether both are of one cloth and colour, as those of a suit are."""
 
@@ -87,35 +90,55 @@ def two_garments(text: str) -> TwoGarments | None:
     Args:
         text: In any language that is read.
     """
-    text = first_piece(text)
+    text = said_plainly(first_piece(text))
     text = _PLUS.sub(lambda found: " with " if "w" in found[0] else " and ", text)
     text = _SUIT_OF.sub(r"\1, ", text)
     text = joined_up(text, read_words(text))
     words = read_words(text)
-    if pieces_of(text, words) is None:
+    if _pieces(text, words) is None:
         if not words.unknown:
             return None
         text, words = text_as_read(text)  # a name may be misspelt
-        if pieces_of(text, words) is None:
+        if _pieces(text, words) is None:
             return None
     text = without_side_remarks(hear_wearer(text).rest)
     return _parted(text, read_words(text))
 
 
+def _pieces(text: str, words: WordReading) -> Pieces | None:
+    return pieces_of(text, words) or layered_pieces(text, words, _chunks_of_layers(text, words))
+
+
+def _chunks_of_layers(text: str, words: WordReading) -> list[Chunk]:
+    return chunks_of(text, words, lambda marks: sum(_category(mark) == "garments" for mark in marks) > 1)
+
+
 def _parted(text: str, words: WordReading) -> TwoGarments | None:
     pieces = pieces_of(text, words)
     if pieces is None:
+        chunks = _chunks_of_layers(text, words)
+        pieces = layered_pieces(text, words, chunks)
+    else:
+        chunks = chunks_of(text, words, lambda marks: _name_both(marks, pieces))
+    if pieces is None or not are_asked_for(text, pieces, chunks):
         return None
-    chunks = chunks_of(text, words, lambda marks: _name_both(marks, pieces))
-    if not are_asked_for(text, pieces, chunks):
-        return None
-    wish = _Outfit(text, words, pieces, chunks)
+    layered = pieces.layered or (pieces.is_one_name and _is_for_one_half(pieces))
+    wish = (_Layers if layered else _Outfit)(text, words, pieces, chunks)
     said = [bare(wish.said_of(half), words.language) for half in HALVES]
     besides = [mark.word for mark in pieces.besides]
     if not besides and any(_THREE.match(mark.word) for mark in pieces.outfits):
         besides = ["waistcoat"]
-    found = TwoGarments(*said, tuple(besides), wish.is_set)
-    return found if all(_is_one(found.of(half), half) for half in HALVES) else None
+    if layered:
+        said = [bare(without_places(one), words.language) for one in said]
+    found = TwoGarments(*said, tuple(besides), layered, wish.is_set)
+    are_one = _names_one if layered else _is_one
+    return found if all(are_one(found.of(half), half) for half in HALVES) else None
+
+
+def _is_for_one_half(pieces: Pieces) -> bool:
+    """Whether what a name of two stands for is worn one over the other, as a twinset is."""
+    names = [piece.name or "" for piece in pieces.two.values()]
+    return len({half for name in names for _, half in names_of(read_words(name)) or ()}) == 1
 
 
 def _name_both(marks: Sequence[WordMark], pieces: Pieces) -> bool:
@@ -132,6 +155,13 @@ def _is_one(text: str, half: Half) -> bool:
         return {name for _, name in names} == {half}
     named = [mark for mark in words.marks if mark.role == "garment"]
     return names is not None and any(half_named(mark) == half for mark in named)
+
+
+def _names_one(text: str, half: Half) -> bool:
+    """Whether a text names one garment, of whatever half."""
+    del half
+    named = {m.word.lower() for m in read_words(text).marks if m.role == "garment" and not m.denied}
+    return len(named) == 1
 
 
 class _Outfit:
@@ -380,6 +410,13 @@ class _Outfit:
     def _is_determined(self, mark: WordMark) -> bool:
         chunk = next(one for one in self._chunks if one.has(mark))
         return any(not DETERMINERS.isdisjoint(m.word.lower().split()) for m in lead(mark, chunk))
+
+
+class _Layers(_Outfit):
+    """The same where one garment is worn over the other: both have sleeves, lengths and collars."""
+
+    def _told(self, mark: WordMark) -> Half | None:
+        return None
 
 
 def _category(mark: WordMark) -> str | None:
