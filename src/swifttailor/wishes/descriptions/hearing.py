@@ -283,6 +283,7 @@ _SLITS = re.compile(r"slit|split|vent|\bcuts?\b|slash|open|gap|pleat|walk", re.I
 _WAISTS = re.compile(
     r"waist|empire|bust|breast|bosom|chest|rib|hip|seam|drop|flapper|1920|20s|join|belly|tummy|bump", re.I
 )
+_LOOSE = Claim("fit", "loose")
 _FEW_WORDS, _NO_STORY = 5, 9
 _NAMES_THINGS = ("garments", "accessories", "generic")
 _WHOLE_KINDS = frozenset({"dress", "jumpsuit", "playsuit"})
@@ -317,10 +318,14 @@ def _without_guesses(text: str, found: Iterable[Wish], words: WordReading) -> tu
     """
     lacking = {lack.what for lack in words.lacks}
     implied = {i.claim for i in words.implications}
+    certain = {i.claim for i in words.implications if i.certainty == "certain"}
     kinds = {i.claim.value for i in words.implications if i.claim.name == "kind"}
     kept = []
     for wish in found:
         claim = wish.change.claim if isinstance(wish.change, Gain) else None
+        tied = claim is not None and claim.name == "waist_seam" and "belt" in lacking
+        if tied and _LOOSE in implied and claim not in certain:
+            continue  # a belt over loose cloth
         if claim is not None and claim not in implied:
             if claim.name in ("leg_cuffs", "leg_cuff_cm") and "turn_ups" in lacking:
                 continue

@@ -47,7 +47,7 @@ _LENGTHS: Mapping[str, float] = {
     "long": 60.0,
     "extra-long": 66.0,
 }
-_EXTRA_LONG = Claim("sleeves", "extra-long")
+_EXTRA_LONG, _THREE_QUARTERS = Claim("sleeves", "extra-long"), Claim("sleeves", "three-quarter")
 _SLIM, _DEEP = Claim("sleeve_shape", "slim"), Claim("cuffs", "deep")
 _SLIM_ARM = 3.5
 """Room around the arm of sleeves that are to be close, cm."""
@@ -112,6 +112,10 @@ def _with_plain_sleeves(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraf
     told, options = _told_lengths(claims), dict(draft.options)
     if _EXTRA_LONG in claims and draft.name in (*_ALWAYS, *_CUFFED, *_OVER_OTHERS):
         return replace(draft, options=tuple({**options, "sleeve_length": _LENGTHS["extra-long"]}.items()))
+    if _THREE_QUARTERS in claims and draft.name in (*_OVER_OTHERS, "cardigan"):
+        wide = max(float(options.get("sleeve_end", 0.0)), _ENDS[_LENGTHS["three-quarter"]])
+        shorter = {"sleeve_length": _LENGTHS["three-quarter"], "sleeve_end": wide}
+        return replace(draft, options=tuple({**options, **shorter}.items()))
     if draft.name == "shirt" and told and told[0] <= _LENGTHS["elbow"]:
         short = {"sleeve_length": told[0], "sleeve_end": _SHIRT_END, "cuffs": False}
         return replace(draft, options=tuple({**options, **short}.items()))

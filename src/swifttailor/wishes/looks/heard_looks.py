@@ -50,6 +50,8 @@ class HeardLooks:
         return bool(self.looks or self.refused)
 
 
+_SATIN = "#35353c"
+"""Of lapels of a garment that has no known colour."""
 NO_LOOKS = HeardLooks()
 
 
@@ -81,6 +83,12 @@ def heard_looks(
             look = replace(look, part="all")
         if not look.part:
             continue  # a thing of its own: that it cannot be made is said anyway
+        if look.cloth == _OTHER and look.part == "collar" and _is_satin(look):
+            if any(one.part == look.part and one.color is not None for one in said):
+                continue  # satin of another colour is seen by that
+            found = _with(found, PartLook(look.part, _gleaming(color)))
+            assumed.append("satin of the collar drawn as another shade")
+            continue
         if look.cloth == _OTHER:
             refused.append(f"another cloth of the {look.noun.lower()}")
             continue
@@ -207,6 +215,20 @@ def _is_sheer(look: SaidLook, general: Sequence[SaidLook]) -> bool:
 
 def _with(found: list[PartLook], look: PartLook) -> list[PartLook]:
     return list(merged(found, [look]))
+
+
+def _is_satin(look: SaidLook) -> bool:
+    return any(entry.cloth == "silk" for mark in look.marks for entry in mark.entries)
+
+
+def _gleaming(color: str | None) -> str:
+    """The colour of satin beside dull cloth: what is dark gleams, what is light has shadows."""
+    if color is None:
+        return _SATIN
+    channels = [int(color[k : k + 2], 16) for k in (1, 3, 5)]
+    is_light = 0.3 * channels[0] + 0.59 * channels[1] + 0.11 * channels[2] >= _LIGHT_FROM
+    mixed = [round(0.86 * c) if is_light else round(c + 0.16 * (255 - c)) for c in channels]
+    return "#" + "".join(f"{c:02x}" for c in mixed)
 
 
 def _contrast(color: str | None) -> NamedColor:
