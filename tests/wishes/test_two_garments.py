@@ -2,6 +2,7 @@
 
 import pytest
 
+from swifttailor.errors import InputError
 from swifttailor.tailor import Order
 from swifttailor.tailor.color_of_set import color_of_set
 from swifttailor.wishes.outfits.two_garments import two_garments
@@ -201,16 +202,39 @@ def test_two_garments_are_told_apart_each_with_its_words(text, upper, lower):
 
 
 @pytest.mark.parametrize(
-    ("text", "besides"),
+    ("text", "third", "alike"),
     [
-        ("suit: jacket, waistcoat and trousers", ("waistcoat",)),
-        ("three piece suit", ("waistcoat",)),
-        ("jacket, shirt and jeans", ("shirt",)),
-        ("white blouse and black skirt", ()),
+        ("suit: jacket, waistcoat and trousers", "waistcoat", True),
+        ("three piece suit", "waistcoat", True),
+        ("three piece suit in grey tweed", "grey tweed waistcoat", True),
+        ("a navy three-piece suit with a paisley waistcoat", "paisley waistcoat", False),
+        ("jacket, shirt and jeans", "shirt", False),
+        ("a velvet suit with a white shirt", "white shirt", False),
+        ("camel coat over a black turtleneck and jeans", "black turtleneck top", False),
+        ("white shirt, grey jumper and a black coat", "black coat", False),
+        ("white blouse and black skirt", "", False),
     ],
 )
-def test_what_is_named_besides_the_two_is_told(text, besides):
+def test_a_third_garment_is_worn_with_both(text, third, alike):
+    found = two_garments(text)
+    assert (found.third, found.third_alike, found.besides) == (third, alike, ())
+
+
+@pytest.mark.parametrize(
+    ("text", "besides"),
+    [
+        ("three piece suit with a white shirt", ("shirt",)),
+        ("a blouse and a skirt like a kilt", ("kilt",)),
+    ],
+)
+def test_what_is_named_besides_and_not_made_is_told(text, besides):
     assert two_garments(text).besides == besides
+
+
+def test_an_order_for_a_third_garment_is_about_its_words():
+    assert Order("navy suit with a white shirt", part="beside").words == "white shirt"
+    with pytest.raises(InputError, match="no third"):
+        Order("a navy suit", part="beside")
 
 
 @pytest.mark.parametrize("text", ONE)

@@ -119,7 +119,8 @@ def pieces_of(text: str, words: WordReading) -> Pieces | None:
     besides = [
         m
         for m in words.marks
-        if _category(m) == "garments" and m.role in _BESIDES and not m.denied and m not in (*mine, *sets)
+        if _category(m) == "garments" and not m.denied and m not in (*mine, *sets)
+        if m.role in _BESIDES or m in [mark for mark, _ in names]
     ]
     besides = [m for m in besides if half_named(m) is not None]
     return Pieces(names, tuple(sets), first, tuple(besides))
@@ -171,7 +172,7 @@ def are_asked_for(text: str, pieces: Pieces, chunks: Sequence[Chunk]) -> bool:
         return False
     if _GOES_WELL.search(text[: chunk.start]):
         return False
-    return not _is_owned(before, chunks) and all(_may_lead(mark) for mark in lead(behind, chunk))
+    return not _is_owned(before, chunks) and all(may_lead(mark) for mark in lead(behind, chunk))
 
 
 def lead(mark: WordMark, chunk: Chunk) -> list[WordMark]:
@@ -191,7 +192,8 @@ def _is_owned(mark: WordMark, chunks: Sequence[Chunk]) -> bool:
     return not _OWN.isdisjoint(before[-1].word.lower().split()[-1:])
 
 
-def _may_lead(mark: WordMark) -> bool:
+def may_lead(mark: WordMark) -> bool:
+    """Whether a word may stand between what joins a garment and its name: a look, a length, "matching"."""
     if mark.entries and mark.entries[0].category in _MODIFIERS:
         return not mark.denied
     words = mark.word.lower().replace("’", "'").split()

@@ -32,6 +32,7 @@ from swifttailor.wishes.outfits.outfit_pieces import (
     joined_up,
     lead,
     looks_within,
+    may_lead,
     names_of,
     pieces_of,
 )
@@ -45,6 +46,7 @@ from swifttailor.wording.lexicon.outfits import named_outfit
 _PLUS = re.compile(r"(?<=[^\W\d_])(?:\s*[&+]\s*|\s+w/\s*|\s+['’]?n['’]?\s+)(?=[^\W\d_])")
 _SUIT_OF = re.compile(r"(?<!\w)(suits?|sets?)\s*(?::|=|[-–—](?=\s))\s*", re.IGNORECASE)
 """What would be read with the word behind it: the jacket of "suit: jacket and trousers" is no suit jacket."""
+_WAISTCOAT = "waistcoat"
 _THREE = re.compile(r"(?:three|3)[- ]piece", re.IGNORECASE)
 _BOTH = re.compile(r"(?<!\w)(?:both|beides?|les deux|ambos|ambas)(?!\w)", re.IGNORECASE)
 _ADDED = re.compile(r"\s*(?:,|/|(?:and|plus|und|sowie|et|y|e|ed|en)(?!\w))", re.IGNORECASE)
@@ -69,8 +71,12 @@ class TwoGarments:
 
     upper: str
     lower: str
+    third: str = ""
+    """What is said of one worn with both: the waistcoat of a suit; empty where there is none."""
+    third_alike: bool = False
+    """Whether that is of their cloth and colour."""
     besides: tuple[str, ...] = ()
-    """Names of further garments, of which nothing is said in either: of a half one is made."""
+    """Names of further garments, of which nothing is said in any, and none is made."""
     layered: bool = False
     """Whether they are worn one over the other, where ``upper`` is what is on top and ``lower`` what is beneath."""
     alike: bool = False
@@ -125,12 +131,12 @@ def _parted(text: str, words: WordReading) -> TwoGarments | None:
     layered = pieces.layered or (pieces.is_one_name and _is_for_one_half(pieces))
     wish = (_Layers if layered else _Outfit)(text, words, pieces, chunks)
     said = [bare(wish.said_of(half), words.language) for half in HALVES]
-    besides = [mark.word for mark in pieces.besides]
-    if not besides and any(_THREE.match(mark.word) for mark in pieces.outfits):
-        besides = ["waistcoat"]
+    third = wish.third()
+    besides = [mark.word for mark in pieces.besides if third is None or mark is not third.mark]
     if layered:
         said = [bare(without_places(one), words.language) for one in said]
-    found = TwoGarments(*said, tuple(besides), layered, wish.is_set)
+    more = ("", False) if third is None else (third.said, third.alike)
+    found = TwoGarments(*said, *more, tuple(besides), layered, wish.is_set)
     are_one = _names_one if layered else _is_one
     return found if all(are_one(found.of(half), half) for half in HALVES) else None
 
@@ -144,7 +150,8 @@ def _is_for_one_half(pieces: Pieces) -> bool:
 def _name_both(marks: Sequence[WordMark], pieces: Pieces) -> bool:
     halves = {half for mark, half in pieces.named if mark in marks}
     halves |= {half for half, piece in pieces.two.items() if piece.mark in marks and not pieces.is_one_name}
-    return len(halves) > 1
+    named = [mark for mark in pieces.besides if mark in marks]
+    return len(halves) > 1 or (bool(halves) and bool(named))
 
 
 def _is_one(text: str, half: Half) -> bool:
@@ -162,6 +169,17 @@ def _names_one(text: str, half: Half) -> bool:
     del half
     named = {m.word.lower() for m in read_words(text).marks if m.role == "garment" and not m.denied}
     return len(named) == 1
+
+
+@dataclass(frozen=True, slots=True)
+class _Third:
+    """A garment that is worn with two others."""
+
+    mark: WordMark | None
+    """Its name; None where the name of the others means it."""
+    said: str
+    alike: bool
+    """Whether it is of their cloth."""
 
 
 class _Outfit:
@@ -194,6 +212,37 @@ class _Outfit:
             shown.append(words)
             before = owner
         return re.sub(r"\s+(?=,)", "", "".join([*shown, *behind]))
+
+    def third(self) -> _Third | None:
+        """The further garment that is asked for as those two are; None where there is none."""
+        if any(_THREE.match(mark.word) and _has_waistcoat(mark) for mark in self._pieces.outfits):
+            own = next((m for m in self._pieces.besides if m.word.lower() == _WAISTCOAT), None)
+            if own is None or self._looks_beside(own) == "":
+                return _Third(own, self._of_their_cloth(_WAISTCOAT), alike=True)
+        for mark in self._pieces.besides:
+            looks = self._looks_beside(mark)
+            if looks is None:
+                continue
+            if not looks and self.is_set and any(map(_has_waistcoat, self._pieces.outfits)):
+                if mark.word.lower() == _WAISTCOAT:
+                    return _Third(mark, self._of_their_cloth(mark.word), alike=True)
+            return _Third(mark, f"{looks} {mark.word}".strip(), alike=False)
+        return None
+
+    def _looks_beside(self, mark: WordMark) -> str | None:
+        """What stands of looks before a further garment's name; None where it is not asked for like the two."""
+        for chunk, owner in zip(self._chunks, self._owners, strict=True):
+            if owner == "beside" and chunk.joined and chunk.has(mark):
+                before = lead(mark, chunk)
+                if not all(map(may_lead, before)):
+                    return None
+                looks = [one for one in before if _category(one) in LOOKS and not self._is_same(one)]
+                return "" if not looks else self._text[looks[0].start : mark.start].strip()
+        return None
+
+    def _of_their_cloth(self, name: str) -> str:
+        looks = sorted([(mark.start, mark.end) for mark in self._look_marks("upper", beside=True)])
+        return f"{self._joined(looks)} {name}" if looks else name
 
     def _find_owners(self) -> list[str]:
         """For each chunk a half, ``both``, ``none``, or ``beside`` where it only names a further garment."""
@@ -417,6 +466,11 @@ class _Layers(_Outfit):
 
     def _told(self, mark: WordMark) -> Half | None:
         return None
+
+
+def _has_waistcoat(mark: WordMark) -> bool:
+    outfit = named_outfit(mark.word, mark.entries)
+    return outfit is not None and _WAISTCOAT in outfit.beside
 
 
 def _category(mark: WordMark) -> str | None:

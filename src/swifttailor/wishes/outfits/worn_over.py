@@ -10,7 +10,15 @@ from collections.abc import Sequence
 
 from swifttailor.wishes.outfits.outfit_chunks import Chunk
 from swifttailor.wishes.outfits.outfit_halves import Half, half_named
-from swifttailor.wishes.outfits.outfit_pieces import Piece, Pieces, are_asked_for, is_alone, is_in_one
+from swifttailor.wishes.outfits.outfit_pieces import (
+    Piece,
+    Pieces,
+    are_asked_for,
+    is_alone,
+    is_in_one,
+    lead,
+    may_lead,
+)
 from swifttailor.wording.lexicon import WordMark, WordReading
 
 _ON_TOP, _OUTER, _WARM, _PLAIN, _BENEATH = 4, 3, 2, 1, 0
@@ -74,7 +82,7 @@ _WORDS = (
         r"\1 top",
     ),
     (
-        re.compile(rf"(?<=\w )((?:over|under) (?:\w+ ){{0,4}}?){_NECK}(?=\s*(?:[,.;!)]|$))", re.IGNORECASE),
+        re.compile(rf"(?<=\w )((?:over|under) (?:\w+ ){{0,4}}?){_NECK}(?=\s*(?:[,.;!)]|$|and(?!\w)))", re.I),
         r"\1\2 top",
     ),
 )
@@ -124,7 +132,7 @@ def layered_pieces(text: str, words: WordReading, chunks: Sequence[Chunk]) -> Pi
                 named.append((mark, "upper" if mark is on_top else "lower"))
         pieces = Pieces(tuple(named), (), halves, layered=True)
         if are_asked_for(text, pieces, chunks):
-            rest = [m for m in names if m not in (first, other) and m.role == "second"]
+            rest = [m for m in names if m not in (first, other) and _is_joined(m, chunks)]
             return Pieces(tuple(named), (), halves, tuple(rest), layered=True)
     return None
 
@@ -161,6 +169,11 @@ def _on_top(text: str, first: WordMark, other: WordMark, chunks: Sequence[Chunk]
     if "lower" in halves or ranks[0] == ranks[1] or is_part:  # "dungarees with a T-shirt top"
         return None
     return first if ranks[0] > ranks[1] else other
+
+
+def _is_joined(mark: WordMark, chunks: Sequence[Chunk]) -> bool:
+    chunk = next(one for one in chunks if one.has(mark))
+    return chunk.joined and all(map(may_lead, lead(mark, chunk)))
 
 
 def _is_name(mark: WordMark, marks: Sequence[WordMark]) -> bool:
