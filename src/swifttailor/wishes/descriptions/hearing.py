@@ -283,6 +283,14 @@ _SLITS = re.compile(r"slit|split|vent|\bcuts?\b|slash|open|gap|pleat|walk", re.I
 _WAISTS = re.compile(
     r"waist|empire|bust|breast|bosom|chest|rib|hip|seam|drop|flapper|1920|20s|join|belly|tummy|bump", re.I
 )
+_LONG_SLEEVES = Claim("sleeves", "long")
+_SHORT_SLEEVES = tuple([Claim("sleeves", value) for value in ("cap", "short", "elbow")])
+_SLEEVES_CUT = re.compile(
+    r"short\w*(?:[ -][\w'-]+){0,2}[ -](?:sleeve|arm)|sleeve[^,.;]*(?:short|small|little|elbow|half|cap|roll|cut)"
+    r"|cap(?!\w)|elbow|half|quarter|upper arms?|roll|t[- ]?shirt|cut off|sleeveless|bare",
+    re.IGNORECASE,
+)
+"""What may make sleeves short that are usually long; "short" by itself is said of the hem."""
 _LOOSE = Claim("fit", "loose")
 _FEW_WORDS, _NO_STORY = 5, 9
 _NAMES_THINGS = ("garments", "accessories", "generic")
@@ -327,6 +335,8 @@ def _without_guesses(text: str, found: Iterable[Wish], words: WordReading) -> tu
         if tied and _LOOSE in implied and claim not in certain:
             continue  # a belt over loose cloth
         if claim is not None and claim not in implied:
+            if claim in _SHORT_SLEEVES and _LONG_SLEEVES in implied and not _SLEEVES_CUT.search(text):
+                continue  # "a robe, short, with lace sleeves"
             if claim.name in ("leg_cuffs", "leg_cuff_cm") and "turn_ups" in lacking:
                 continue
             if claim.name == "hips" and kinds == {"top"}:

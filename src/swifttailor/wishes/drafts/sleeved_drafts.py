@@ -30,6 +30,8 @@ _CUFFED = ("sweatshirt", "hoodie", "bomber-jacket", "denim-jacket")
 """Their sleeves end in cuffs, into which full ones are gathered."""
 _OVER_OTHERS = ("coat", "blazer", "hooded-coat", "robe")
 """What is worn over other clothes and has sleeves."""
+_TAILORED = ("coat", "blazer")
+"""Of these, what has sleeves of other shapes, as long as its own where nothing is said."""
 _WITH_CUFFS = ("shirt", "shirt-dress", *_CUFFED)
 _SHAPES: Mapping[str, str] = {
     "balloon": "balloon",
@@ -95,6 +97,9 @@ def sleeves_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
         return replace(
             draft, options=tuple({**options, "arm_ease": _FULL_ARM, "sleeve_end": _FULL_END}.items())
         )
+    if draft.name in _TAILORED and shape != "plain":
+        long = {"sleeve_length": _told_lengths(claims)[0]} if _told_lengths(claims) else {}
+        return replace(draft, options=tuple({**options, "sleeve_shape": shape, **long}.items()))
     if draft.name not in (*_SET_IN, *_ALWAYS):
         return draft
     told = _told_lengths(claims)

@@ -50,8 +50,10 @@ class HeardLooks:
         return bool(self.looks or self.refused)
 
 
-_SATIN = "#35353c"
-"""Of lapels of a garment that has no known colour."""
+_IN_ANOTHER_CLOTH = ("collar", "cuffs", "sleeves", "hood", "waistband", "hem_band")
+"""Parts of which another cloth is seen as another shade."""
+_DARK_CLOTH, _DARK_TO = "#35353c", 60.0
+"""Of a garment that has no known colour; and what is darker than this is too dark for a deeper shade."""
 NO_LOOKS = HeardLooks()
 
 
@@ -83,11 +85,11 @@ def heard_looks(
             look = replace(look, part="all")
         if not look.part:
             continue  # a thing of its own: that it cannot be made is said anyway
-        if look.cloth == _OTHER and look.part == "collar" and _is_satin(look):
+        if look.cloth == _OTHER and look.part in _IN_ANOTHER_CLOTH:
+            assumed.append(f"{_another_cloth(look)} of the {look.part} drawn as another shade")
             if any(one.part == look.part and one.color is not None for one in said):
-                continue  # satin of another colour is seen by that
-            found = _with(found, PartLook(look.part, _gleaming(color)))
-            assumed.append("satin of the collar drawn as another shade")
+                continue  # what has a colour of its own is seen by that
+            found = _with(found, PartLook(look.part, _another_shade(color, gleams=_is_satin(look))))
             continue
         if look.cloth == _OTHER:
             refused.append(f"another cloth of the {look.noun.lower()}")
@@ -221,13 +223,21 @@ def _is_satin(look: SaidLook) -> bool:
     return any(entry.cloth == "silk" for mark in look.marks for entry in mark.entries)
 
 
-def _gleaming(color: str | None) -> str:
-    """The colour of satin beside dull cloth: what is dark gleams, what is light has shadows."""
+def _another_cloth(look: SaidLook) -> str:
+    """What the text calls the cloth of a part."""
+    return " ".join([mark.word.lower() for mark in look.marks]) or "another cloth"
+
+
+def _another_shade(color: str | None, *, gleams: bool) -> str:
+    """The colour of another cloth beside a garment's: satin gleams on dark cloth, what has a pile is deeper."""
     if color is None:
-        return _SATIN
+        return _DARK_CLOTH
     channels = [int(color[k : k + 2], 16) for k in (1, 3, 5)]
-    is_light = 0.3 * channels[0] + 0.59 * channels[1] + 0.11 * channels[2] >= _LIGHT_FROM
-    mixed = [round(0.86 * c) if is_light else round(c + 0.16 * (255 - c)) for c in channels]
+    brightness = 0.3 * channels[0] + 0.59 * channels[1] + 0.11 * channels[2]
+    if brightness < _DARK_TO or (gleams and brightness < _LIGHT_FROM):
+        mixed = [round(c + 0.16 * (255 - c)) for c in channels]
+    else:
+        mixed = [round((0.86 if gleams else 0.6) * c) for c in channels]
     return "#" + "".join(f"{c:02x}" for c in mixed)
 
 
