@@ -1,4 +1,4 @@
-"""Wishes for two garments that are worn together, beside or over each other, and for one that sounds like two."""
+"""Wishes for garments that are worn together, beside or over each other, and for one that sounds like two."""
 
 import pytest
 

@@ -40,8 +40,8 @@ class Generate(Making):
     the back of one garment. What TEXT says outranks it."""
     part: Literal["upper", "lower", "whole", "beside"] | None = None
     """Which garment in the picture, or of those that TEXT names: on the upper body (or on top of the other),
-    on the lower (or beneath), one dress, jumpsuit or other single garment, or a third beside two. Default: all;
-    several get a folder each in DIR."""
+    on the lower (or beneath), one dress, jumpsuit or other single garment, or a third beside two. Default:
+    all; several get a folder each in DIR."""
     read: tyro.conf.FlagCreatePairsOff[bool] = False
     """Only read the picture: print what it shows, write seen.png and reading.json."""
     source: Literal["both", "drafts", "designs", "library", "writer"] = "both"

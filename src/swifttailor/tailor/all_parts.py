@@ -21,8 +21,8 @@ def orders_of_parts(order: Order, tailor: Tailor) -> dict[Part, Order]:
         tailor: Who looks at pictures.
 
     Returns:
-        ``upper`` and ``lower``, and ``beside`` where a text names a third; of a picture that which covers most of it first. ``whole``, or the part that
-        is chosen, where there is but one.
+        ``upper`` and ``lower``, and ``beside`` where a text names a third; of a picture that which covers
+        most of it first. ``whole``, or the part that is chosen, where there is but one.
 
     Raises:
         InputError: A picture cannot be read.

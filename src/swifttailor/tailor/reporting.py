@@ -18,7 +18,7 @@ from swifttailor.pattern.trims.names import TRIMS, trim_said
 from swifttailor.tailor.answer import Answer
 from swifttailor.tailor.fabric_asked import fabric_unmet, fabric_warning
 from swifttailor.tailor.heard_notes import heard_notes, heard_report
-from swifttailor.tailor.order import one_line
+from swifttailor.tailor.order import Order, one_line
 from swifttailor.tailor.picture_color import color_line, color_report
 from swifttailor.tailor.provenance import versions, weights
 

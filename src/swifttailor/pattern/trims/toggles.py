@@ -32,7 +32,9 @@ def toggles(chalk: Chalk, name: str) -> list[Trim]:
         pair: list[Trim] = []
         for ref, sign in ((right, -1), (left, 1)):
             middle = edge_at(chalk.pattern, ref, float(y))
-            sides = [[(middle + sign * x * s, float(y) + way * h * s) for x, h in _HALF] for way in (1, -1)]
-            pair += chalk.ruled(name, ref.panel, *sides, is_cut=False)
-        pieces += pair if len(pair) == len(sides) else []
+            above, below = (
+                [(middle + sign * x * s, float(y) + way * h * s) for x, h in _HALF] for way in (1, -1)
+            )
+            pair += chalk.ruled(name, ref.panel, above, below, is_cut=False)
+        pieces += pair if len(pair) == 2 else []
     return pieces

@@ -285,8 +285,10 @@ _WAISTS = re.compile(
 )
 _LONG_SLEEVES = Claim("sleeves", "long")
 _SHORT_SLEEVES = tuple([Claim("sleeves", value) for value in ("cap", "short", "elbow")])
+_SHORT = re.compile(r"(?<![\w-])short(?![\w-])", re.IGNORECASE)
 _SLEEVES_CUT = re.compile(
-    r"short\w*(?:[ -][\w'-]+){0,2}[ -](?:sleeve|arm)|sleeve[^,.;]*(?:short|small|little|elbow|half|cap|roll|cut)"
+    r"short\w*(?:[ -][\w'-]+){0,2}[ -](?:sleeve|arm)"
+    r"|sleeve[^,.;]*(?:short|small|little|elbow|half|cap|roll|cut)"
     r"|cap(?!\w)|elbow|half|quarter|upper arms?|roll|t[- ]?shirt|cut off|sleeveless|bare",
     re.IGNORECASE,
 )
@@ -335,7 +337,7 @@ def _without_guesses(text: str, found: Iterable[Wish], words: WordReading) -> tu
         if tied and _LOOSE in implied and claim not in certain:
             continue  # a belt over loose cloth
         if claim is not None and claim not in implied:
-            if claim in _SHORT_SLEEVES and _LONG_SLEEVES in implied and not _SLEEVES_CUT.search(text):
+            if claim in _SHORT_SLEEVES and _LONG_SLEEVES in implied and _is_short_itself(text):
                 continue  # "a robe, short, with lace sleeves"
             if claim.name in ("leg_cuffs", "leg_cuff_cm") and "turn_ups" in lacking:
                 continue
@@ -355,6 +357,11 @@ def _without_guesses(text: str, found: Iterable[Wish], words: WordReading) -> tu
                 continue
         kept.append(wish)
     return tuple(kept)
+
+
+def _is_short_itself(text: str) -> bool:
+    """Whether a garment is said to be short, and nothing that its sleeves are."""
+    return _SHORT.search(text) is not None and not _SLEEVES_CUT.search(text)
 
 
 def _is_outdone(wish: Wish, said: Sequence[Claim], never: Sequence[Claim]) -> bool:

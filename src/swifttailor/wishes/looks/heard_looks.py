@@ -86,7 +86,7 @@ def heard_looks(
         if not look.part:
             continue  # a thing of its own: that it cannot be made is said anyway
         if look.cloth == _OTHER and look.part in _IN_ANOTHER_CLOTH:
-            assumed.append(f"{_another_cloth(look)} of the {look.part} drawn as another shade")
+            refused.append(f"another cloth of the {look.noun.lower()} (another shade is drawn)")
             if any(one.part == look.part and one.color is not None for one in said):
                 continue  # what has a colour of its own is seen by that
             found = _with(found, PartLook(look.part, _another_shade(color, gleams=_is_satin(look))))
@@ -223,13 +223,8 @@ def _is_satin(look: SaidLook) -> bool:
     return any(entry.cloth == "silk" for mark in look.marks for entry in mark.entries)
 
 
-def _another_cloth(look: SaidLook) -> str:
-    """What the text calls the cloth of a part."""
-    return " ".join([mark.word.lower() for mark in look.marks]) or "another cloth"
-
-
 def _another_shade(color: str | None, *, gleams: bool) -> str:
-    """The colour of another cloth beside a garment's: satin gleams on dark cloth, what has a pile is deeper."""
+    """The colour of another cloth beside a garment's: satin gleams on dark cloth, a pile is deeper."""
     if color is None:
         return _DARK_CLOTH
     channels = [int(color[k : k + 2], 16) for k in (1, 3, 5)]

@@ -1,6 +1,6 @@
 """One garment over another on the same part of the body: a jacket over a dress, a T-shirt under dungarees.
 
-Which is on top is said ("over", "under", "over it"), or follows from what they are: a coat is worn over a dress.
+Which is on top is said ("over", "under", "over it"), or follows from what they are: coats go over dresses.
 """
 
 from __future__ import annotations
@@ -35,13 +35,13 @@ _RANKS = (
     ),
     (
         _WARM,
-        r"jumper|sweater|pullover|hoodie|sweatshirt|fleece|dungarees|overalls|pinafore|pinafore dress|slipover"
-        r"|sweater vest|knitted vest|gymslip|corset|bustier|apron dress",
+        r"jumper|sweater|pullover|hoodie|sweatshirt|fleece|dungarees|overalls|pinafore|pinafore dress"
+        r"|slipover|sweater vest|knitted vest|gymslip|corset|bustier|apron dress",
     ),
     (
         _BENEATH,
-        r"t ?shirt|tee|shirt|blouse|camisole|cami|turtleneck|polo neck|polo shirt|bodysuit|vest|vest top|tank top"
-        r"|slip|bralet|nightie|nightdress|negligee|top|long sleeve top|leggings|petticoat",
+        r"t ?shirt|tee|shirt|blouse|camisole|cami|turtleneck|polo neck|polo shirt|bodysuit|vest|vest top"
+        r"|tank top|slip|bralet|nightie|nightdress|negligee|top|long sleeve top|leggings|petticoat",
     ),
 )
 """How far out a garment is worn, by the end of its English name."""
@@ -86,7 +86,7 @@ _WORDS = (
         r"\1\2 top",
     ),
 )
-"""Other words for over and under, and what would be read otherwise: "jumper over shirt", "over a roll neck"."""
+"""Other words for over and under; and what would be read otherwise: "jumper over shirt", a roll neck."""
 
 
 def said_plainly(text: str) -> str:

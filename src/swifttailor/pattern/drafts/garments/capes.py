@@ -60,8 +60,8 @@ class CapeOptions:
     collar: Annotated[
         Literal["none", "shirt", "flat", "standing", "rolled"],
         Option(
-            "Collar, where there is no hood: a shirt's, one that lies flat, one that stands, or one that stands "
-            "and is turned down over itself."
+            "Collar, where there is no hood: a shirt's, one that lies flat, one that stands, or one that "
+            "stands and is turned down over itself."
         ),
     ] = "none"
     collar_width: declared.CollarWidth = 5.5
