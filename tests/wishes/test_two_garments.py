@@ -212,6 +212,7 @@ def test_two_garments_are_told_apart_each_with_its_words(text, upper, lower):
         ("a velvet suit with a white shirt", "white shirt", False),
         ("camel coat over a black turtleneck and jeans", "black turtleneck top", False),
         ("white shirt, grey jumper and a black coat", "black coat", False),
+        ("a blazer with matching trousers and a silk blouse to wear underneath", "silk blouse", False),
         ("white blouse and black skirt", "", False),
     ],
 )

@@ -83,6 +83,8 @@ def _chunks_of_layers(text: str, words: WordReading) -> list[Chunk]:
 
 def _parted(text: str, words: WordReading) -> TwoGarments | None:
     pieces = pieces_of(text, words)
+    if pieces is not None and pieces.besides and (plain := without_places(text)) != text:
+        return _parted(plain, read_words(plain))  # where a third is worn is no detail of it
     if pieces is None:
         chunks = _chunks_of_layers(text, words)
         pieces = layered_pieces(text, words, chunks)
@@ -129,8 +131,9 @@ def _is_one(text: str, half: Half) -> bool:
 def _names_one(text: str, half: Half) -> bool:
     """Whether a text names one garment, of whatever half."""
     del half
-    named = {m.word.lower() for m in read_words(text).marks if m.role == "garment" and not m.denied}
-    return len(named) == 1
+    marks = [m for m in read_words(text).marks if not m.denied]
+    other = any(m.role == "second" for m in marks)
+    return not other and len({m.word.lower() for m in marks if m.role == "garment"}) == 1
 
 
 def _is_garment(mark: WordMark) -> bool:
