@@ -25,6 +25,8 @@ from swifttailor.wording.lexicon import WordMark, WordReading, read_words
 from swifttailor.wording.lexicon.outfits import named_outfit
 
 _WAISTCOAT = "waistcoat"
+_OF_ITS_DRESS = re.compile(r"(?:cape|capelet|bolero|shrug)$", re.IGNORECASE)
+"""What a dress comes "with" is of its cloth, unless it has a colour of its own."""
 _THREE = re.compile(r"(?:three|3)[- ]piece", re.IGNORECASE)
 _BOTH = re.compile(r"(?<!\w)(?:both|beides?|les deux|ambos|ambas)(?!\w)", re.IGNORECASE)
 _ADDED = re.compile(r"\s*(?:,|/|(?:and|plus|und|sowie|et|y|e|ed|en)(?!\w))", re.IGNORECASE)
@@ -335,6 +337,14 @@ class PartedText:
 
 class LayeredText(PartedText):
     """The same where one garment is worn over the other: both have sleeves, lengths and collars."""
+
+    def __init__(self, text: str, words: WordReading, pieces: Pieces, chunks: Sequence[Chunk]) -> None:
+        super().__init__(text, words, pieces, chunks)
+        on_top = self._mark("upper")
+        chunk = next(one for one in chunks if one.has(on_top))
+        names = [entry.english or on_top.word for entry in on_top.entries]
+        with_it = chunk.joined and _WITH.match(text, chunk.start) is not None
+        self.is_set = self.is_set or (with_it and any(map(_OF_ITS_DRESS.search, names)))
 
     def _told(self, mark: WordMark) -> Half | None:
         return None
