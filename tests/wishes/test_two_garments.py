@@ -168,6 +168,7 @@ LAYERS = [
     ("satin nightdress and dressing gown set", "satin dressing gown", "satin nightdress"),
     ("red dress, black jacket", "black jacket", "red dress"),
     ("blue evening dress with a cape", "a blue cape", "blue evening dress"),
+    ("an evening dress, blue, with a cape", "a blue cape", "an evening dress, blue"),
     ("blue evening dress with a white bolero", "a white bolero", "blue evening dress"),
     ("tank top with an open shirt over it", "an open shirt", "tank top"),
     ("pinafore with white blouse", "pinafore", "white blouse"),

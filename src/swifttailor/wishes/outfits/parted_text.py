@@ -343,7 +343,7 @@ class LayeredText(PartedText):
         on_top = self._mark("upper")
         chunk = next(one for one in chunks if one.has(on_top))
         names = [entry.english or on_top.word for entry in on_top.entries]
-        with_it = chunk.joined and _WITH.match(text, chunk.start) is not None
+        with_it = chunk.joined and _WITH.search(text[chunk.start : on_top.start]) is not None
         self.is_set = self.is_set or (with_it and any(map(_OF_ITS_DRESS.search, names)))
 
     def _told(self, mark: WordMark) -> Half | None:
