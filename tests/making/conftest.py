@@ -65,6 +65,7 @@ TRIMMED = {
     "track bottoms": ("trousers", ("three side stripes", "back welt pockets")),
     "biker jacket": ("denim-jacket", ("asymmetric zip",)),
     "raincoat": ("coat", ("storm flap", "neck fur", "sleeve fur")),
+    "duffle coat": ("hooded-coat", ("toggles",)),
     "banded dress": ("shift-dress", ("bands", "side panels")),
     "sundress": ("strappy-dress", ("shoulder bows", "fur trim")),
     "vest": ("tank-top", ("neck rib", "armhole ribs", "hem rib")),

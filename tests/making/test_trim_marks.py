@@ -38,7 +38,7 @@ NAMES = (
     "denim-jacket", "trench coat", "trousers", "shirt-dress", "zipped hoodie", "hoodie", "dungarees",
     "joggers", "polo shirt", "suit", "puffer", "turned-up trousers", "tunic",
     "dirndl", "blouse", "piped shirt", "yoked blouse", "cape", "working vest", "track top", "track bottoms",
-    "biker jacket", "raincoat",
+    "biker jacket", "raincoat", "duffle coat",
     "banded dress", "sundress", "vest", "pyjama bottoms", "slip",
     "suit trousers", "dinner trousers", "hakama",
     "keyhole top", "police shirt", "cheongsam", "sari",

@@ -19,6 +19,7 @@ from swifttailor.wishes.descriptions.coats_by_length import coats_by_length
         ("very short puffer jacket", "puffer jacket, to the high hip"),
         ("blazer, quite short", "blazer, to the high hip"),
         ("three quarter length camel overcoat", "knee length camel overcoat"),
+        ("short wool cape with a collar", "wool hip length cape with a collar"),
         ("3/4 coat, navy", "knee length coat, navy"),
     ],
 )
@@ -38,6 +39,8 @@ def test_short_coats_end_at_the_hip_and_long_ones_where_coats_do(text: str, read
         "camel coat with three quarter sleeves",
         "red coat long, short collar",
         "a short skirt",
+        "a short cape dress",
+        "a cape with a short collar",
         "short pea coat",
     ],
 )

@@ -49,7 +49,20 @@ SLITS = [Claim("slit", "left"), Claim("slit", "right")]
         ("shirt", [Claim("sleeves", "short")], "shirt(sleeve_length=22;sleeve_end=34;cuffs=false)"),
         ("sweatshirt(length=20)", [LAPEL], "polo-shirt(length=20;sleeve_length=58;sleeve_end=23)"),
         ("swing-dress", [LAPEL], "swing-dress(collar=folded)"),
-        ("robe", [LAPEL], "coat(length=70;chest_ease=18)"),
+        (
+            "robe",
+            [LAPEL],
+            "coat(lapels=shawl;chest_ease=18;neck_depth=30;opening=-14;closed_to=4;arm_ease=13;sleeve_end=38;length=70)",
+        ),
+        (
+            "coat(length=80)",
+            [Claim("skirt", "flared")],
+            "shirt-dress(collar=revers;neck_depth=18;sleeve_length=60;sleeve_end=28;cuffs=false;"
+            "skirt_fraction=0.5;skirt_length=80;bust_ease=9;waist_ease=7)",
+        ),
+        ("cape(length=60)", [LAPEL], "cape(length=60;hood=false;collar=shirt;collar_width=7)"),
+        ("coat", [Claim("sleeve_shape", "puffed")], "coat(sleeve_shape=puffed)"),
+        ("coat", [Claim("sleeves", "three-quarter")], "coat(sleeve_length=44;sleeve_end=28)"),
         ("swing-dress", [Claim("hood", "hood")], "swing-dress(collar=hood)"),
         ("poncho", [Claim("hood", "hood")], "poncho(hood=true)"),
         (

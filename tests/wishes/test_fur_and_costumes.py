@@ -22,6 +22,7 @@ def reader() -> WishReader:
         ("parka", None, {"neck fur"}),
         ("olive parka with a fur trimmed hood", None, {"neck fur"}),
         ("coat with a sheepskin collar", None, {"neck fur"}),
+        ("khaki parka with a furry hood", None, {"neck fur"}),
         ("Santa dress", None, {"fur trim"}),
         ("red dress with white fur trim", None, {"fur trim"}),
         ("fur coat", "fur", set()),

@@ -81,7 +81,7 @@ def test_a_sheer_skirt_of_a_chiffon_dress_is_of_chiffon(reader):
             "dress with a sheer neckline",
             "sheer insets (whole parts can be sheer: sleeves, a skirt, the back)",
         ),
-        ("jumper with leather sleeves", "another cloth of the sleeves"),
+        ("jumper with leather sleeves", "another cloth of the sleeves (another shade is drawn)"),
         (
             "black dress with mesh panels",
             "sheer insets (whole parts can be sheer: sleeves, a skirt, the back)",
@@ -163,6 +163,10 @@ def test_a_part_that_is_not_there_is_asked_for_in_its_colour(reader):
         ("a Lucia gown", PartLook("belt", "#b3202b")),
         ("a dirndl with black sleeves", PartLook("sleeves", "#000000")),
         ("red saree with gold border", PartLook("edging", "#c9a227")),
+        ("a dinner jacket", PartLook("collar", "#35353c")),
+        ("a white blazer with satin lapels", PartLook("collar", "#dbdbdb")),
+        ("a red tuxedo jacket with black satin lapels", PartLook("collar", "#000000")),
+        ("a black jacket with leather sleeves", PartLook("sleeves", "#292929")),
         ("blue sari with a gold blouse", PartLook("bodice", "#c9a227")),
     ],
 )

@@ -192,6 +192,7 @@ def test_a_spiral_goes_through_colours_that_divide_its_six():
         ("a parka with a fur hood", None),
         ("a teddy coat with a fur collar", "curls"),
         ("corduroy skirt", None),
+        ("a grey coat with a velvet collar", None),
         ("flamenco dress", None),  # which has "lame" in it
         ("cotton dress", None),
     ],

@@ -23,6 +23,8 @@ BELL = Claim("sleeve_shape", "bell")
             "robe(length=90;sleeve_length=58;flare=20;opening=10;neck_depth=20;front_slit=70)",
         ),
         ("kaftan(sleeve_end=48)", [BELL], set(), "kaftan(sleeve_end=70;arm_ease=34)"),
+        ("cape(length=60)", [], {"buttons"}, "cape(length=60;closed=90;opening=4)"),
+        ("cape(front=closed)", [], {"buttons"}, "cape(front=closed)"),
         ("shirt", [BELL], {"open_front"}, "shirt"),
     ],
 )

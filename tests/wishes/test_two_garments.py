@@ -1,7 +1,8 @@
-"""Wishes for two garments that are worn together, and for one garment of which it sounds like two."""
+"""Wishes for garments that are worn together, beside or over each other, and for one that sounds like two."""
 
 import pytest
 
+from swifttailor.errors import InputError
 from swifttailor.tailor import Order
 from swifttailor.tailor.color_of_set import color_of_set
 from swifttailor.wishes.outfits.two_garments import two_garments
@@ -133,9 +134,6 @@ ONE = [
     "a skirt instead of trousers",
     "not a skirt but a blouse",
     "a skirt or trousers",
-    "a cardigan over a top",
-    "twin set",
-    "a dress and a jacket",
     "a dress with shorts",
     "dungarees with a t-shirt top",
     "a trouser suit jacket",
@@ -154,8 +152,59 @@ ONE = [
     "I have a grey jacket and need trousers to match",
     "a white shirt with black collar and cuffs",
     "a coat dress with a flared skirt",
+    "a cardigan to wear over a top",
+    "a coat that looks like a cape",
+    "a cross between a coat and a cape",
+    "a jacket or a cardigan",
+    "dress with a bolero style top",
+    "dress with a jacket collar",
+    "denim jacket with sheepskin collar",
+    "a dress to wear under my coat",
+    "a jumpsuit and a dress in one",
     "a two tier skirt, and then if you can also do a matching bandeau, but the skirt please",
 ]
+
+LAYERS = [
+    ("a cardigan over a top", "a cardigan", "a top"),
+    ("pale blue twinset", "pale blue twinset cardigan", "pale blue short sleeved knit top"),
+    ("a dress and a jacket", "a jacket", "a dress"),
+    ("floral dress with a denim jacket over it", "a denim jacket", "floral dress"),
+    ("jumper over shirt", "jumper", "a shirt"),
+    ("white t-shirt under denim dungarees", "denim dungarees", "white t-shirt"),
+    ("dungarees with a striped t-shirt underneath", "dungarees", "a striped t-shirt"),
+    ("black slip dress layered over a white tee", "black slip dress", "a white tee"),
+    ("black turtleneck under a pinafore dress", "a pinafore dress", "black turtleneck top"),
+    ("evening dress with matching coat", "coat", "evening dress"),
+    ("satin nightdress and dressing gown set", "satin dressing gown", "satin nightdress"),
+    ("red dress, black jacket", "black jacket", "red dress"),
+    ("blue evening dress with a cape", "a blue cape", "blue evening dress"),
+    ("an evening dress, blue, with a cape", "a blue cape", "an evening dress, blue"),
+    ("blue evening dress with a white bolero", "a white bolero", "blue evening dress"),
+    ("tank top with an open shirt over it", "an open shirt", "tank top"),
+    ("pinafore with white blouse", "pinafore", "white blouse"),
+    ("dress over jeans", "dress", "jeans"),
+    (
+        "a red coat with a hood over a white dress with long sleeves",
+        "a red coat with a hood",
+        "a white dress with long sleeves",
+    ),
+    (
+        "a midi dress in pink with long sleeves and a matching coat in the same colour to wear over it",
+        "a pink coat",
+        "a midi dress in pink with long sleeves",
+    ),
+    ("schwarze Jacke über einem roten Kleid", "schwarze Jacke", "einem roten Kleid"),
+    ("robe rouge avec une veste noire", "une veste noire", "robe rouge"),
+    ("vestido rojo con chaqueta negra", "chaqueta negra", "vestido rojo"),
+]
+"""With what is on top before what is beneath it."""
+
+
+@pytest.mark.parametrize(("text", "over", "beneath"), LAYERS)
+def test_one_garment_over_another_is_both(text, over, beneath):
+    found = two_garments(text)
+    assert found is not None and found.layered
+    assert (found.upper, found.lower) == (over, beneath)
 
 
 @pytest.mark.parametrize(("text", "upper", "lower"), TWO)
@@ -166,16 +215,40 @@ def test_two_garments_are_told_apart_each_with_its_words(text, upper, lower):
 
 
 @pytest.mark.parametrize(
-    ("text", "besides"),
+    ("text", "third", "alike"),
     [
-        ("suit: jacket, waistcoat and trousers", ("waistcoat",)),
-        ("three piece suit", ("waistcoat",)),
-        ("jacket, shirt and jeans", ("shirt",)),
-        ("white blouse and black skirt", ()),
+        ("suit: jacket, waistcoat and trousers", "waistcoat", True),
+        ("three piece suit", "waistcoat", True),
+        ("three piece suit in grey tweed", "grey tweed waistcoat", True),
+        ("a navy three-piece suit with a paisley waistcoat", "paisley waistcoat", False),
+        ("jacket, shirt and jeans", "shirt", False),
+        ("a velvet suit with a white shirt", "white shirt", False),
+        ("camel coat over a black turtleneck and jeans", "black turtleneck top", False),
+        ("white shirt, grey jumper and a black coat", "black coat", False),
+        ("a blazer with matching trousers and a silk blouse to wear underneath", "silk blouse", False),
+        ("white blouse and black skirt", "", False),
     ],
 )
-def test_what_is_named_besides_the_two_is_told(text, besides):
+def test_a_third_garment_is_worn_with_both(text, third, alike):
+    found = two_garments(text)
+    assert (found.third, found.third_alike, found.besides) == (third, alike, ())
+
+
+@pytest.mark.parametrize(
+    ("text", "besides"),
+    [
+        ("three piece suit with a white shirt", ("shirt",)),
+        ("a blouse and a skirt like a kilt", ("kilt",)),
+    ],
+)
+def test_what_is_named_besides_and_not_made_is_told(text, besides):
     assert two_garments(text).besides == besides
+
+
+def test_an_order_for_a_third_garment_is_about_its_words():
+    assert Order("navy suit with a white shirt", part="beside").words == "white shirt"
+    with pytest.raises(InputError, match="no third"):
+        Order("a navy suit", part="beside")
 
 
 @pytest.mark.parametrize("text", ONE)

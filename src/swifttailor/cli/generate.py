@@ -38,9 +38,10 @@ class Generate(Making):
     image: Annotated[tuple[Path, ...], tyro.conf.arg(metavar="FILE")] = ()
     """Picture of a garment, or of one person: PNG, JPEG, WEBP, BMP, GIF or TIFF. Give two for the front and
     the back of one garment. What TEXT says outranks it."""
-    part: Literal["upper", "lower", "whole"] | None = None
-    """Which garment in the picture, or of two that TEXT names: on the upper body, on the lower, or one dress,
-    jumpsuit or other single garment. Default: all; two get a folder each in DIR."""
+    part: Literal["upper", "lower", "whole", "beside"] | None = None
+    """Which garment in the picture, or of those that TEXT names: on the upper body (or on top of the other),
+    on the lower (or beneath), one dress, jumpsuit or other single garment, or a third beside two. Default:
+    all; several get a folder each in DIR."""
     read: tyro.conf.FlagCreatePairsOff[bool] = False
     """Only read the picture: print what it shows, write seen.png and reading.json."""
     source: Literal["both", "drafts", "designs", "library", "writer"] = "both"
@@ -135,7 +136,10 @@ class Generate(Making):
             return ("", *_BOTH)
         from swifttailor.wishes.outfits.two_garments import two_garments
 
-        return _BOTH if two_garments(self.text) is not None else ("",)
+        outfit = two_garments(self.text)
+        if outfit is None:
+            return ("",)
+        return (*_BOTH, "beside") if outfit.third else _BOTH
 
     def _require_request(self) -> None:
         if not self.text.strip() and not self.image:

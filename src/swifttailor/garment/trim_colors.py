@@ -51,6 +51,7 @@ _IN_ANOTHER: Mapping[str, tuple[str, str]] = {
     "satin stripes": ("#4a4c53", "#26324a"),
     "reflecting bands": ("#d5d9dc", "#b4bac0"),
     "elbow patches": ("#8a6748", "#7a5536"),
+    "toggles": ("#ecdcbc", "#5b3d26"),
 }
 """What is of another colour than the cloth, where none is told: on darker cloth, and on light cloth."""
 _UNDYED, _PALE = "#f1efe9", 0.62

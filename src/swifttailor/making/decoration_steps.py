@@ -169,6 +169,11 @@ _OTHERS: Mapping[str, tuple[str, str]] = {
         "Sew the fronts together in the middle, cut them along the marked strip, and set the zip in from the "
         "neck to the hem.",
     ),
+    "toggles": (
+        "Toggles",
+        "Knot a loop of cord on one front and a peg on a cord on the other at every mark, and sew a patch of "
+        "leather or cloth over the ends of each.",
+    ),
     "smocking": (
         "Smocking",
         "Cut the panels of the bodice twice as wide, their height as it is. Wind elastic thread on the "

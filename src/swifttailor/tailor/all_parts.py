@@ -21,8 +21,8 @@ def orders_of_parts(order: Order, tailor: Tailor) -> dict[Part, Order]:
         tailor: Who looks at pictures.
 
     Returns:
-        ``upper`` and ``lower``; of a picture that which covers most of it first. ``whole``, or the part that
-        is chosen, where there is but one.
+        ``upper`` and ``lower``, and ``beside`` where a text names a third; of a picture that which covers
+        most of it first. ``whole``, or the part that is chosen, where there is but one.
 
     Raises:
         InputError: A picture cannot be read.
@@ -33,7 +33,8 @@ def orders_of_parts(order: Order, tailor: Tailor) -> dict[Part, Order]:
     if not order.images:
         if order.part is not None or order.outfit is None:
             return {alone: order}
-        return {half: replace(order, part=half) for half in _HALVES}
+        parts: tuple[Part, ...] = (*_HALVES, "beside") if order.outfit.third else _HALVES
+        return {part: replace(order, part=part) for part in parts}
     if not order.alter or tailor.picture_reader is None:
         return {alone: order}
     from swifttailor.tailor.looking import look_at, parts_seen

@@ -17,7 +17,7 @@ from swifttailor.render.picture_file import read_picture
 from swifttailor.render.pixels import require_picture
 from swifttailor.tailor.order import Image, Part
 
-PARTS: tuple[Part, ...] = get_args(Part)
+PARTS: tuple[Part, ...] = get_args(Part)[:3]
 _WHOLE_KINDS = ("dress", "jumpsuit")
 _TOLD = 0.99
 """How sure it is what a person says of a picture."""

@@ -32,9 +32,10 @@ Image = NDArray[np.uint8] | Path | str
 Source = Literal["both", "drafts", "designs", "library", "writer"]
 """Where patterns come from: drafts that words name, drafts of design parameters that are read in pictures
 and words, known patterns, and written ones where none of these will do; or one of the four alone."""
-Part = Literal["upper", "lower", "whole"]
+Part = Literal["upper", "lower", "whole", "beside"]
 """Where a garment of a picture, or of a text that names two, is worn; ``whole`` is one garment, of a picture
-a dress or jumpsuit."""
+a dress or jumpsuit. Of two that a text names of which one is worn over the other, ``upper`` is that on top;
+``beside`` is a third: the waistcoat of a suit."""
 MOST_PICTURES = 2
 NO_READER = (
     "Pictures cannot be read: this version comes without weights of a picture reader. Train one (see "
@@ -103,6 +104,8 @@ class Order:
             raise InputError(
                 f"part is '{self.part}' and there is neither a picture nor a description; leave part out."
             )
+        if self.part == "beside" and (self.outfit is None or not self.outfit.third):
+            raise InputError("part is 'beside' and the text names no third garment: leave part out.")
         if self.is_of_two and self.outfit is None:
             raise InputError(
                 f"part is '{self.part}' and the text names no two garments, one for the upper body and one "
@@ -137,8 +140,8 @@ class Order:
 
     @property
     def is_of_two(self) -> bool:
-        """Whether it is about one of two garments that the text names."""
-        return self.part in ("upper", "lower") and self.image is None
+        """Whether it is about one of two garments that the text names, or about the third beside them."""
+        return self.part in ("upper", "lower", "beside") and self.image is None
 
     @property
     def outfit(self) -> TwoGarments | None:
@@ -152,6 +155,8 @@ class Order:
         """The text; where it is about one of two garments, what the text says of that."""
         if not self.is_of_two or (outfit := self.outfit) is None:
             return self.text
+        if self.part == "beside":
+            return outfit.third
         return outfit.upper if self.part == "upper" else outfit.lower
 
     @property

@@ -135,7 +135,8 @@ class Wanted:
             return self.seen_color.rgb
         order = self.order
         kept = order.color or cloth_color(order.edit) if order.edit is not None else None
-        shared = color_of_set(order.outfit) if order.is_of_two else None
+        of_set = order.is_of_two and (order.part != "beside" or (order.outfit and order.outfit.third_alike))
+        shared = color_of_set(order.outfit) if of_set else None
         return shared or self.heard.color or kept
 
     @property

@@ -18,7 +18,7 @@ from swifttailor.pattern.trims.names import TRIMS, trim_said
 from swifttailor.tailor.answer import Answer
 from swifttailor.tailor.fabric_asked import fabric_unmet, fabric_warning
 from swifttailor.tailor.heard_notes import heard_notes, heard_report
-from swifttailor.tailor.order import one_line
+from swifttailor.tailor.order import Order, one_line
 from swifttailor.tailor.picture_color import color_line, color_report
 from swifttailor.tailor.provenance import versions, weights
 
@@ -233,12 +233,10 @@ def order_notes(answer: Answer, wanted: Wanted) -> list[str]:
         )
     found += [f"Look at the pattern: {oddity}." for oddity in answer.verdict.oddities]
     if order.is_of_two:
-        found.append(f'Of the two garments, the {order.part} one: "{one_line(order.words, LONGEST_NOTE)}".')
+        found.append(f'{_which_of_them(order)}: "{one_line(order.words, LONGEST_NOTE)}".')
         besides = order.outfit.besides if order.outfit else ()
         if besides:
-            found.append(
-                f"Named besides the two, and not made: {', '.join(besides)}. Ask for each on its own."
-            )
+            found.append(f"Named besides, and not made: {', '.join(besides)}. Ask for each on its own.")
     elif order.part is None and not order.images and order.outfit is not None:
         found.append(ONE_OF_TWO)
     if wanted.text != order.words:
@@ -265,6 +263,17 @@ def order_notes(answer: Answer, wanted: Wanted) -> list[str]:
     if answer.verdict.refused:
         found.append(f"Refused, and so nevertheless: {'; '.join(map(wish_line, answer.verdict.refused))}.")
     return found
+
+
+def _which_of_them(order: Order) -> str:
+    """Which of several garments of a text an order is about."""
+    outfit = order.outfit
+    if order.part == "beside":
+        return "Of the three garments, the one that is worn with both others"
+    many = "three" if outfit is not None and outfit.third else "two"
+    if outfit is None or not outfit.layered:
+        return f"Of the {many} garments, the {order.part} one"
+    return f"Of the {many} garments, the one {'on top' if order.part == 'upper' else 'beneath'}"
 
 
 def trim_notes(answer: Answer) -> list[str]:

@@ -132,7 +132,8 @@ class Tailor(Workshop):
             asked: All else that `generate` takes.
 
         Returns:
-            ``upper`` and ``lower``; where there is but one, that is ``whole``, or the part that is chosen.
+            ``upper`` and ``lower``, and ``beside`` of a third; where there is but one, that is ``whole``, or
+            the part that is chosen.
 
         Raises:
             SwiftTailorError: See `generate`.

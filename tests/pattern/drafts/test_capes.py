@@ -37,7 +37,7 @@ def test_a_closed_cape_is_a_poncho():
     assert names == [("cape", "open_front"), ("cape",)]
 
 
-@pytest.mark.parametrize("collar", ["shirt", "flat", "standing"])
+@pytest.mark.parametrize("collar", ["shirt", "flat", "standing", "rolled"])
 def test_a_cape_coat_is_closed_down_the_front_and_has_a_collar(collar):
     cape = draft("cape", length=60.0, closed=90.0, opening=4.0, collar=collar, collar_width=7.0)
     assert_sound(cape)

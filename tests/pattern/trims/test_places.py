@@ -132,6 +132,7 @@ SHOULD_HAVE = {
     "yoke": ("shirt", "t-shirt", "fitted-skirt", "circle-skirt", "jeans"),
     "waist frill": ("pull-on-trousers", "trousers", "gathered-skirt", "circle-skirt"),
     "scalloped edge": ("t-shirt", "trousers", "circle-skirt", "peplum-top"),
+    "toggles": ("hooded-coat", "coat", "turtleneck", "cardigan"),
 }
 CHILDREN = (60.0, 92.0, 110.0, 128.0, 152.0)
 SOME = tuple(info for info in list_drafts() if info.name not in ("gored-skirt", "pleated-skirt"))

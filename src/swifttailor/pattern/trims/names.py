@@ -107,6 +107,7 @@ TRIMS: Mapping[str, str] = {
     "yoke": "a yoke",
     "waist frill": "a frill above the waistband",
     "scalloped edge": "arcs along the hem",
+    "toggles": "toggles with loops",
 }
 """By name, what each is for people. None joins panels, so none changes how a garment is cut or hangs."""
 LIKE_EACH_OTHER = (
@@ -119,6 +120,7 @@ LIKE_EACH_OTHER = (
         "half zip",
         "waist placket",
         "asymmetric zip",
+        "toggles",
     ),
     ("tie belt", "buckle belt", "drawstring"),
     ("elastic waist", "back elastic"),

@@ -43,6 +43,7 @@ from swifttailor.pattern.trims.side_stripes import (
 )
 from swifttailor.pattern.trims.smocking import smocking
 from swifttailor.pattern.trims.stirrups import stirrups
+from swifttailor.pattern.trims.toggles import toggles
 from swifttailor.pattern.trims.tucks import tucks
 from swifttailor.pattern.trims.waist_frill import waist_frill
 from swifttailor.pattern.trims.yoke_frill import yoke_frill
@@ -147,6 +148,7 @@ _PLACES: Mapping[str, Callable[[Chalk, str], list[Trim]]] = {
     "yoke": seam_lines.yoke,
     "waist frill": waist_frill,
     "scalloped edge": decorations.scalloped_edge,
+    "toggles": toggles,
 }
 """How each of `names.TRIMS` is marked."""
 

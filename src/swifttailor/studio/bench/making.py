@@ -116,7 +116,7 @@ def _made(link: Link, orders: dict[Part, Order], *, origin: str, prompt: str) ->
         for k, outcome in enumerate(_outcomes(link, order, alone=len(orders) == 1)):
             if isinstance(outcome, Tailored):
                 link.stage("describing", k / order.samples)
-                named = {"part": part} if len(orders) > 1 else {}
+                named = {"part": "whole" if part == "beside" else part} if len(orders) > 1 else {}
                 work = tailored_document(
                     outcome, origin=origin, prompt=prompt, edge_length=order.edge_length, **named
                 )

@@ -1,5 +1,7 @@
 """Lengths as they are meant of coats: a short one is a jacket, a three-quarter one ends at the knee.
 
+A short cape ends at the hips.
+
 The same words say something else of skirts and tops: a short skirt bares the thighs, a short top the waist.
 """
 
@@ -32,6 +34,11 @@ _BEHIND = re.compile(
     r"(?= *(?:[.,;!?]|$|with\b|and\b|but\b|please\b))",
     re.IGNORECASE,
 )
+_SHORT_CAPE = re.compile(
+    rf"(?<![\w-])(?<!not )(?<!too )(?<!i'm )(?<!am ){_SHORT}{_OF_PARTS},? "
+    rf"(?P<name>(?:{_WORD} ){{0,4}}?)(?:cape|cloak)(?!\w)(?! (?:dress|coat|sleeve|top|jacket|blazer)s?)",
+    re.IGNORECASE,
+)
 _THREE_QUARTERS = re.compile(
     r"(?<![\w/])(?:three|3)(?:[ -]quarters?|/4)(?:[ -](?:length|long))?(?![\w/])"
     r"(?![ -]*(?:length |long )?(?:sleeve|arm|circle))",
@@ -52,6 +59,7 @@ def coats_by_length(text: str) -> str:
     """
     if _COAT.search(text):
         text = _THREE_QUARTERS.sub("knee length", text)
+    text = _SHORT_CAPE.sub(r"\g<name>hip length cape", text)
     found = _BEFORE.search(text) or _BEHIND.search(text)
     if found is None:
         return text

@@ -285,6 +285,17 @@ _SLITS = re.compile(r"slit|split|vent|\bcuts?\b|slash|open|gap|pleat|walk", re.I
 _WAISTS = re.compile(
     r"waist|empire|bust|breast|bosom|chest|rib|hip|seam|drop|flapper|1920|20s|join|belly|tummy|bump", re.I
 )
+_LONG_SLEEVES = Claim("sleeves", "long")
+_SHORT_SLEEVES = tuple([Claim("sleeves", value) for value in ("cap", "short", "elbow")])
+_SHORT = re.compile(r"(?<![\w-])short(?![\w-])", re.IGNORECASE)
+_SLEEVES_CUT = re.compile(
+    r"short\w*(?:[ -][\w'-]+){0,2}[ -](?:sleeve|arm)"
+    r"|sleeve[^,.;]*(?:short|small|little|elbow|half|cap|roll|cut)"
+    r"|cap(?!\w)|elbow|half|quarter|upper arms?|roll|t[- ]?shirt|cut off|sleeveless|bare",
+    re.IGNORECASE,
+)
+"""What may make sleeves short that are usually long; "short" by itself is said of the hem."""
+_LOOSE = Claim("fit", "loose")
 _FEW_WORDS, _NO_STORY = 5, 9
 _NAMES_THINGS = ("garments", "accessories", "generic")
 _WHOLE_KINDS = frozenset({"dress", "jumpsuit", "playsuit"})
@@ -319,11 +330,17 @@ def _without_guesses(text: str, found: Iterable[Wish], words: WordReading) -> tu
     """
     lacking = {lack.what for lack in words.lacks}
     implied = {i.claim for i in words.implications}
+    certain = {i.claim for i in words.implications if i.certainty == "certain"}
     kinds = {i.claim.value for i in words.implications if i.claim.name == "kind"}
     kept = []
     for wish in found:
         claim = wish.change.claim if isinstance(wish.change, Gain) else None
+        tied = claim is not None and claim.name == "waist_seam" and "belt" in lacking
+        if tied and _LOOSE in implied and claim not in certain:
+            continue  # a belt over loose cloth
         if claim is not None and claim not in implied:
+            if claim in _SHORT_SLEEVES and _LONG_SLEEVES in implied and _is_short_itself(text):
+                continue  # "a robe, short, with lace sleeves"
             if claim.name in ("leg_cuffs", "leg_cuff_cm") and "turn_ups" in lacking:
                 continue
             if claim.name == "hips" and kinds == {"top"}:
@@ -342,6 +359,11 @@ def _without_guesses(text: str, found: Iterable[Wish], words: WordReading) -> tu
                 continue
         kept.append(wish)
     return tuple(kept)
+
+
+def _is_short_itself(text: str) -> bool:
+    """Whether a garment is said to be short, and nothing that its sleeves are."""
+    return _SHORT.search(text) is not None and not _SLEEVES_CUT.search(text)
 
 
 def _is_outdone(wish: Wish, said: Sequence[Claim], never: Sequence[Claim]) -> bool:

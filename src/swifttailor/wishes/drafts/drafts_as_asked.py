@@ -25,6 +25,7 @@ from swifttailor.wishes.drafts.cropped_drafts import cropped_as_asked
 from swifttailor.wishes.drafts.held_drafts import held_as_asked, on_straps_that_hold
 from swifttailor.wishes.drafts.hooded_drafts import hooded_as_asked
 from swifttailor.wishes.drafts.legged_drafts import legs_as_asked
+from swifttailor.wishes.drafts.skirted_coats import skirted_as_asked
 from swifttailor.wishes.drafts.sleeved_drafts import sleeves_as_asked
 from swifttailor.wishes.drafts.swimsuits_as_asked import swimsuit_as_asked
 
@@ -118,7 +119,7 @@ def draft_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft | N
         draft: As a table names it.
         claims: What is asked for, all of it.
     """
-    draft = _as_another(_darted(cropped_as_asked(draft, claims), claims), claims)
+    draft = _as_another(_darted(cropped_as_asked(skirted_as_asked(draft, claims), claims), claims), claims)
     draft = _with_v_neck(_with_hood(_worn_over(draft, claims), claims), claims)
     draft = _with_close_neck(draft, claims)
     slit_by_name = SIDE_SLITS in dict(draft.options)
@@ -225,7 +226,7 @@ def _with_collar(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
         return draft
     options = dict(draft.options)
     if draft.name == "robe":  # which has no collar of its own
-        return NamedDraft("coat", tuple({"length": options.get("length", 70.0), "chest_ease": 18.0}.items()))
+        return NamedDraft("coat", tuple({**_SHAWL_ROBE, "length": options.get("length", 70.0)}.items()))
     sleeves = [] if Claim("sleeves", "none") not in claims else [("sleeves", False)]
     kept = [(name, options[name]) for name in ("length", "chest_ease") if name in options]
     if draft.name in ("t-shirt", "tank-top"):
@@ -240,6 +241,13 @@ def _with_collar(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
         kept = [(name, options[name]) for name in ("skirt_length", "skirt_fraction") if name in options]
         return NamedDraft("shirt-dress", (*kept, _FLAT, *sleeves))
     return draft
+
+
+_SHAWL_ROBE: Mapping[str, float | str] = {
+    **{"lapels": "shawl", "chest_ease": 18.0, "neck_depth": 30.0, "opening": -14.0, "closed_to": 4.0},
+    **{"arm_ease": 13.0, "sleeve_end": 38.0},
+}
+"""Of a robe with a collar: it is cut as a coat that is held by its belt."""
 
 
 def _with_hood(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
@@ -272,8 +280,17 @@ def _worn_over(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
         return replace(draft, options=tuple({**own, "length": hems[0]}.items())) if hems else draft
     if draft.name == "cape":
         hood = Claim("hood", "hood") in claims
-        return replace(draft, options=tuple({**dict(draft.options), "hood": hood}.items()))
+        worn = {**dict(draft.options), "hood": hood, **({} if hood else _collar_of_cape(claims))}
+        return replace(draft, options=tuple(worn.items()))
     return draft
+
+
+def _collar_of_cape(claims: Sequence[Claim]) -> dict[str, str | float]:
+    if _ROLLED in claims:
+        return {ROLLED[0]: ROLLED[1], "collar_height": _ROLL_CM}
+    if Claim("collar", "lapel") in claims:
+        return {"collar": "shirt", "collar_width": 7.0}
+    return {STANDING[0]: STANDING[1], "collar_height": _STANDS_CM} if _STAND in claims else {}
 
 
 def _with_v_neck(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:

@@ -30,6 +30,8 @@ _CUFFED = ("sweatshirt", "hoodie", "bomber-jacket", "denim-jacket")
 """Their sleeves end in cuffs, into which full ones are gathered."""
 _OVER_OTHERS = ("coat", "blazer", "hooded-coat", "robe")
 """What is worn over other clothes and has sleeves."""
+_TAILORED = ("coat", "blazer")
+"""Of these, what has sleeves of other shapes, as long as its own where nothing is said."""
 _WITH_CUFFS = ("shirt", "shirt-dress", *_CUFFED)
 _SHAPES: Mapping[str, str] = {
     "balloon": "balloon",
@@ -47,7 +49,7 @@ _LENGTHS: Mapping[str, float] = {
     "long": 60.0,
     "extra-long": 66.0,
 }
-_EXTRA_LONG = Claim("sleeves", "extra-long")
+_EXTRA_LONG, _THREE_QUARTERS = Claim("sleeves", "extra-long"), Claim("sleeves", "three-quarter")
 _LONGEST_BARE_CM = 64.0
 """Of sleeves that begin below the shoulder."""
 _SLIM, _DEEP = Claim("sleeve_shape", "slim"), Claim("cuffs", "deep")
@@ -97,6 +99,9 @@ def sleeves_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
         return replace(
             draft, options=tuple({**options, "arm_ease": _FULL_ARM, "sleeve_end": _FULL_END}.items())
         )
+    if draft.name in _TAILORED and shape != "plain":
+        long = {"sleeve_length": _told_lengths(claims)[0]} if _told_lengths(claims) else {}
+        return replace(draft, options=tuple({**options, "sleeve_shape": shape, **long}.items()))
     if draft.name not in (*_SET_IN, *_ALWAYS):
         return draft
     told = _told_lengths(claims)
@@ -114,6 +119,10 @@ def _with_plain_sleeves(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraf
     told, options = _told_lengths(claims), dict(draft.options)
     if _EXTRA_LONG in claims and draft.name in (*_ALWAYS, *_CUFFED, *_OVER_OTHERS):
         return replace(draft, options=tuple({**options, "sleeve_length": _LENGTHS["extra-long"]}.items()))
+    if _THREE_QUARTERS in claims and draft.name in (*_OVER_OTHERS, "cardigan"):
+        wide = max(float(options.get("sleeve_end", 0.0)), _ENDS[_LENGTHS["three-quarter"]])
+        shorter = {"sleeve_length": _LENGTHS["three-quarter"], "sleeve_end": wide}
+        return replace(draft, options=tuple({**options, **shorter}.items()))
     if draft.name == "shirt" and told and told[0] <= _LENGTHS["elbow"]:
         short = {"sleeve_length": told[0], "sleeve_end": _SHIRT_END, "cuffs": False}
         return replace(draft, options=tuple({**options, **short}.items()))

@@ -50,6 +50,10 @@ class HeardLooks:
         return bool(self.looks or self.refused)
 
 
+_IN_ANOTHER_CLOTH = ("collar", "cuffs", "sleeves", "hood", "waistband", "hem_band")
+"""Parts of which another cloth is seen as another shade."""
+_DARK_CLOTH, _DARK_TO = "#35353c", 60.0
+"""Of a garment that has no known colour; and what is darker than this is too dark for a deeper shade."""
 NO_LOOKS = HeardLooks()
 
 
@@ -81,6 +85,12 @@ def heard_looks(
             look = replace(look, part="all")
         if not look.part:
             continue  # a thing of its own: that it cannot be made is said anyway
+        if look.cloth == _OTHER and look.part in _IN_ANOTHER_CLOTH:
+            refused.append(f"another cloth of the {look.noun.lower()} (another shade is drawn)")
+            if any(one.part == look.part and one.color is not None for one in said):
+                continue  # what has a colour of its own is seen by that
+            found = _with(found, PartLook(look.part, _another_shade(color, gleams=_is_satin(look))))
+            continue
         if look.cloth == _OTHER:
             refused.append(f"another cloth of the {look.noun.lower()}")
             continue
@@ -209,6 +219,23 @@ def _is_sheer(look: SaidLook, general: Sequence[SaidLook]) -> bool:
 
 def _with(found: list[PartLook], look: PartLook) -> list[PartLook]:
     return list(merged(found, [look]))
+
+
+def _is_satin(look: SaidLook) -> bool:
+    return any(entry.cloth == "silk" for mark in look.marks for entry in mark.entries)
+
+
+def _another_shade(color: str | None, *, gleams: bool) -> str:
+    """The colour of another cloth beside a garment's: satin gleams on dark cloth, a pile is deeper."""
+    if color is None:
+        return _DARK_CLOTH
+    channels = [int(color[k : k + 2], 16) for k in (1, 3, 5)]
+    brightness = 0.3 * channels[0] + 0.59 * channels[1] + 0.11 * channels[2]
+    if brightness < _DARK_TO or (gleams and brightness < _LIGHT_FROM):
+        mixed = [round(c + 0.16 * (255 - c)) for c in channels]
+    else:
+        mixed = [round((0.86 if gleams else 0.6) * c) for c in channels]
+    return "#" + "".join(f"{c:02x}" for c in mixed)
 
 
 def _contrast(color: str | None) -> NamedColor:

@@ -43,7 +43,8 @@ def nap_of(words: WordReading) -> str | None:
     Args:
         words: Of a text, by the lexicon.
     """
-    marks = [mark for mark in words.marks if not mark.denied]
+    of_parts = {id(m) for look in words.looks if look.part not in ("", "all") for m in look.marks}
+    marks = [mark for mark in words.marks if not mark.denied and id(mark) not in of_parts]
     # Fur along a hood or a collar is no fur of the whole.
     marks = [mark for mark in marks if not any(_EDGED.intersection(entry.trims) for entry in mark.entries)]
     lacking = {what for mark in marks for entry in mark.entries for what in entry.cannot}

@@ -66,6 +66,8 @@ class Pieces:
     """The one of each half; one word twice where it names both."""
     besides: tuple[WordMark, ...] = ()
     """Further garments, worn over or under one of the two: the waistcoat of a suit."""
+    layered: bool = False
+    """Whether one is worn over the other: ``upper`` is then what is on top."""
 
     @property
     def is_one_name(self) -> bool:
@@ -84,8 +86,7 @@ def names_of(words: WordReading) -> tuple[tuple[WordMark, Half], ...] | None:
             continue
         if named_outfit(mark.word, mark.entries) is not None:
             continue
-        after = words.marks[k + 1] if k + 1 < len(words.marks) else None
-        if after is not None and after.start - mark.end <= 1 and _makes_a_part(after):
+        if not is_alone(mark, words.marks[k:]):
             continue
         half = half_named(mark)
         if half is None and (of_a_set or mark.role == "theirs"):
@@ -99,7 +100,7 @@ def names_of(words: WordReading) -> tuple[tuple[WordMark, Half], ...] | None:
 def pieces_of(text: str, words: WordReading) -> Pieces | None:
     """The two garments that a text names; None where it names one, or it is not clear which they are."""
     names = names_of(words)
-    if names is None or _ONE.search(text):
+    if names is None or is_in_one(text):
         return None
     sets = [m for m in words.marks if not m.denied and _is_several(m)]
     first: dict[Half, Piece] = {}
@@ -118,10 +119,28 @@ def pieces_of(text: str, words: WordReading) -> Pieces | None:
     besides = [
         m
         for m in words.marks
-        if _category(m) == "garments" and m.role in _BESIDES and not m.denied and m not in (*mine, *sets)
+        if _category(m) == "garments" and not m.denied and m not in (*mine, *sets)
+        if m.role in _BESIDES or m in [mark for mark, _ in names]
     ]
     besides = [m for m in besides if half_named(m) is not None]
     return Pieces(names, tuple(sets), first, tuple(besides))
+
+
+def is_in_one(text: str) -> bool:
+    """Whether a text says that all it names is one garment."""
+    return _ONE.search(text) is not None
+
+
+def is_alone(mark: WordMark, marks: Sequence[WordMark]) -> bool:
+    """Whether no word behind a garment's name makes a part of it: a jacket pocket is no jacket.
+
+    Args:
+        mark: The name.
+        marks: Words of the text, it and what stands behind it among them.
+    """
+    k = marks.index(mark)
+    after = marks[k + 1] if k + 1 < len(marks) else None
+    return after is None or after.start - mark.end > 1 or not _makes_a_part(after)
 
 
 def joined_up(text: str, words: WordReading) -> str:
@@ -153,7 +172,7 @@ def are_asked_for(text: str, pieces: Pieces, chunks: Sequence[Chunk]) -> bool:
         return False
     if _GOES_WELL.search(text[: chunk.start]):
         return False
-    return not _is_owned(before, chunks) and all(_may_lead(mark) for mark in lead(behind, chunk))
+    return not _is_owned(before, chunks) and all(may_lead(mark) for mark in lead(behind, chunk))
 
 
 def lead(mark: WordMark, chunk: Chunk) -> list[WordMark]:
@@ -173,7 +192,8 @@ def _is_owned(mark: WordMark, chunks: Sequence[Chunk]) -> bool:
     return not _OWN.isdisjoint(before[-1].word.lower().split()[-1:])
 
 
-def _may_lead(mark: WordMark) -> bool:
+def may_lead(mark: WordMark) -> bool:
+    """Whether a word may stand between what joins a garment and its name: a look, a length, "matching"."""
     if mark.entries and mark.entries[0].category in _MODIFIERS:
         return not mark.denied
     words = mark.word.lower().replace("’", "'").split()

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from swifttailor.wording import WordReading
 
 _POCKETS = tuple(name for name in TRIMS if "pocket" in name)
-_BUTTONS = tuple(name for name in LIKE_EACH_OTHER[0] if "zip" not in name)
+_BUTTONS = tuple(name for name in LIKE_EACH_OTHER[0] if "zip" not in name and name != "toggles")
 _ZIPS = ("zip", "half zip", "back zip", "side zip", "fly", "asymmetric zip")
 _BELTS = ("tie belt", "buckle belt")
 _KNEE_RIPS = ("knee rips", "left knee rip", "right knee rip")
@@ -25,6 +25,7 @@ _FRILLS = ("neck frill", "sleeve frills", "hem frill", "front frills", "yoke fri
 TRIMS_OF: Mapping[str, tuple[str, ...]] = {
     "pockets": _POCKETS,
     "buttons": (*_BUTTONS, "back buttons", "fly"),
+    "toggles": ("toggles",),
     "zip": _ZIPS,
     "belt": _BELTS,
     "belt_accessory": _BELTS,

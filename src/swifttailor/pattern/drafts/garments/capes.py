@@ -58,8 +58,11 @@ class CapeOptions:
     ] = "open"
     hood: Annotated[bool, Option("Sew a hood to the neckline.")] = False
     collar: Annotated[
-        Literal["none", "shirt", "flat", "standing"],
-        Option("Collar, where there is no hood: a shirt's, one that lies flat, or one that stands."),
+        Literal["none", "shirt", "flat", "standing", "rolled"],
+        Option(
+            "Collar, where there is no hood: a shirt's, one that lies flat, one that stands, or one that "
+            "stands and is turned down over itself."
+        ),
     ] = "none"
     collar_width: declared.CollarWidth = 5.5
     collar_height: CollarHeight = 4.0

@@ -150,6 +150,7 @@ class BlazerOptions:
     sleeve_length: declared.SleeveLength = 59.0
     arm_ease: declared.ArmEase = 8.0
     sleeve_end: declared.SleeveEnd = 27.0
+    sleeve_shape: SleeveShapeOption = "plain"
     shoulder_extension: declared.ShoulderExtension = 0.0
 
 
@@ -221,5 +222,5 @@ def _with_lapels(
     sewn = collar or LapelCollar(options.collar_width, options.lapels, options.lapel_width)
     sewn.lay(table, figure)
     sleeve = Sleeve(options.sleeve_length, options.arm_ease, options.sleeve_end, 0.02, extension)
-    lay_shaped_sleeve(table, figure, "plain", sleeve, armhole, wing)
+    lay_shaped_sleeve(table, figure, options.sleeve_shape, sleeve, armhole, wing)
     return _finished(table, sewn, options.opening)
