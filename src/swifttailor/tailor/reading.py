@@ -136,7 +136,7 @@ class Wanted:
         order = self.order
         kept = order.color or cloth_color(order.edit) if order.edit is not None else None
         shared = color_of_set(order.outfit) if order.is_of_two else None
-        return shared or self.heard.color or kept
+        return shared or self.heard.color or kept or self.heard.color_besides
 
     @property
     def print(self) -> ClothPrint | None:

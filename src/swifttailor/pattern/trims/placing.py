@@ -25,6 +25,7 @@ from swifttailor.pattern.trims.boning import boning
 from swifttailor.pattern.trims.chalk import Chalk
 from swifttailor.pattern.trims.cowl import cowl_folds
 from swifttailor.pattern.trims.diagonal_closing import diagonal_closing
+from swifttailor.pattern.trims.chest_motifs import chest_heart, chest_star
 from swifttailor.pattern.trims.elbow_patches import elbow_patches
 from swifttailor.pattern.trims.epaulettes import epaulettes
 from swifttailor.pattern.trims.fur_edges import fur_trim, neck_fur, sleeve_fur
@@ -147,6 +148,8 @@ _PLACES: Mapping[str, Callable[[Chalk, str], list[Trim]]] = {
     "yoke": seam_lines.yoke,
     "waist frill": waist_frill,
     "scalloped edge": decorations.scalloped_edge,
+    "chest heart": chest_heart,
+    "chest star": chest_star,
 }
 """How each of `names.TRIMS` is marked."""
 

@@ -40,6 +40,8 @@ class HeardLooks:
     """The parts that the text itself speaks of."""
     names: tuple[tuple[str, str], ...] = ()
     """Colours, ``#rrggbb``, and what the text calls them."""
+    second: str = ""
+    """The part that the second colour of the garment was put on, where the text says none."""
 
     @property
     def lines(self) -> tuple[str, ...]:
@@ -207,6 +209,17 @@ def _is_sheer(look: SaidLook, general: Sequence[SaidLook]) -> bool:
 
 def _with(found: list[PartLook], look: PartLook) -> list[PartLook]:
     return list(merged(found, [look]))
+
+
+def with_look(found: Sequence[PartLook], part: str, color: str) -> list[PartLook]:
+    """Some looks, and a colour of one part more.
+
+    Args:
+        found: Of other parts.
+        part: One of `PARTS`.
+        color: ``#rrggbb``.
+    """
+    return _with([look for look in found if look != PartLook(part)], PartLook(part, color))
 
 
 def _contrast(color: str | None) -> NamedColor:

@@ -20,10 +20,13 @@ _OF_DRESSES = frozenset({"skirt", "back", "front", "lower_half", "legs"})
 """Parts that are named like garments or sides: they count behind "with" alone."""
 _WITH = re.compile(r"(?<!\w)(?:with|but|has|having|and)(?:\s+(?:an?|the|its))?\s*$", re.IGNORECASE)
 _NO_PANELS = re.compile(
-    r"(?:pockets?|trims?|trimmings?|lining|belt|piping|edging|hem|bow|frills?|ruffles?|buttons?|yoke|patches)",
+    r"(?:pockets?|trims?|trimmings?|lining|belt|piping|edging|hem|bow|frills?|ruffles?|buttons?|yoke|patches"
+    r"|ribbing|cuffs?)",
     re.IGNORECASE,
 )
 """What is of the garment's print wherever it has one."""
+_APART = re.compile(r"(?:lining|belt|ribbing|piping)", re.IGNORECASE)
+"""Of that, what has a print of its own where one stands before it, also without "with"."""
 
 
 @dataclass(frozen=True)
@@ -115,4 +118,5 @@ def _is_part(marks: Sequence[WordMark], n: int, said: bool) -> bool:
     if mark.part in PANEL_PARTS:
         return said or mark.part not in _OF_DRESSES
     of_garment = n + 1 < len(marks) and marks[n + 1].role == "garment"  # "a floral ruffle dress"
-    return said and not of_garment and _NO_PANELS.fullmatch(mark.word) is not None
+    apart = said or _APART.fullmatch(mark.word) is not None
+    return apart and not of_garment and _NO_PANELS.fullmatch(mark.word) is not None

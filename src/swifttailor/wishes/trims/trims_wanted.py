@@ -72,6 +72,7 @@ TRIMS_OF: Mapping[str, tuple[str, ...]] = {
     "epaulettes": ("epaulettes",),
     "arm_slits": ("arm slits",),
     "raw_hem": ("rips", *_KNEE_RIPS, "frayed hem"),
+    "lettering": ("chest heart", "chest star"),
 }
 """By key of what cannot be made of panels, which trims can stand for it."""
 _JACKETS = frozenset(
@@ -91,6 +92,7 @@ _JACKETS = frozenset(
 _WRAPS = frozenset({"wrap-dress", "wrap-top", "robe"})
 _HOODED = frozenset({"hoodie", "hooded-coat"})
 _RIBS, _RIBBED = "rib_bands", frozenset({"t-shirt", "tank-top", "sweatshirt"})
+_STRIPES, _AT_SIDES = "side_stripes", "side stripes"
 _KNITS = frozenset({"jersey", "rib-knit", "sweatshirt", "fleece"})
 _SAID_ALONE = frozenset(
     {
@@ -172,6 +174,8 @@ def trims_wanted(heard: Heard, draft: str = "", kind: str = "") -> tuple[TrimWis
             choices = three_as_said(choices, heard.text)
         if choices:
             found.append(TrimWish(lack.what, lack.said, choices, bool(said)))
+    if heard.looks.second == _STRIPES and not any(wish.what == _STRIPES for wish in found):
+        found.append(TrimWish(_STRIPES, False, ((_AT_SIDES,),)))
     if draft in _RIBBED and not any(wish.what == _RIBS for wish in found) and _is_knitted(heard, draft):
         found.append(TrimWish(_RIBS, False, (("neck rib", "armhole ribs"), ("neck rib",), ("armhole ribs",))))
     if draft in _FOR_JACKETS and not any(wish.what == "buttons" for wish in found) and _is_a_jacket(heard):
@@ -308,7 +312,7 @@ def _usual(what: str, kind: str, cloth: str | None, draft: str) -> tuple[tuple[s
         return (("neck cord",),) if draft in _HOODED else (("drawstring",), ("neck cord",))
     if what == "pleats":
         return (("front pleats",),) if kind in _LOWER else ()
-    if what in ("padding", "asymmetric_closing", "fur", "cut_outs", "draped", "rib_bands"):
+    if what in ("padding", "lettering", "asymmetric_closing", "fur", "cut_outs", "draped", "rib_bands"):
         return ()
     return tuple([(name,) for name in TRIMS_OF.get(what, ())])
 
