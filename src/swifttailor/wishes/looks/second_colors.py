@@ -6,6 +6,7 @@ Else on blocks: the skirt of a dress, the sleeves and collar of a top; of trouse
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
@@ -17,7 +18,10 @@ from swifttailor.wording.lexicon.look_words import PUT_ON
 _PUT_ON_ALIKE = ("apron", "side_panels", "side_stripes", "edging", "frills")
 """What is put on and has a colour of its own, what is seen most first."""
 _LEGS = ("trousers", "shorts")
-_STRIPES = "side_stripes"
+_METALS = re.compile(r"(?:gold|golden|silver|bronze|copper)(?!\w)", re.IGNORECASE)
+"""Colours that edges have rather than whole parts: "a red and gold dress"."""
+_STRIPES, EDGING = "side_stripes", "edging"
+_EDGED = ("dress", "top", "tunic")
 _OTHERS_IN = ("bodice", "skirt", "lower_half", "left_half", "right_half", BLOCKS)
 """Parts that a text may give another colour to, so that it has told where colours go."""
 
@@ -39,7 +43,8 @@ def with_second_color(
     over = [part for part in _PUT_ON_ALIKE if part in {PUT_ON.get(what) for what in lacking}]
     own = [look.part for look in looks.looks if look.color not in (None, first)]
     own = [part for part in own if part not in looks.said]
-    part = next(iter([*over, *own]), _STRIPES if kind in _LEGS else BLOCKS)
+    usual = EDGING if _METALS.search(colors[1].words) and kind in _EDGED else BLOCKS
+    part = next(iter([*over, *own]), _STRIPES if kind in _LEGS else usual)
     if part in looks.said:
         return looks
     kept = [replace(look, color=None) if look.part == part else look for look in looks.looks]

@@ -92,7 +92,8 @@ _JACKETS = frozenset(
 _WRAPS = frozenset({"wrap-dress", "wrap-top", "robe"})
 _HOODED = frozenset({"hoodie", "hooded-coat"})
 _RIBS, _RIBBED = "rib_bands", frozenset({"t-shirt", "tank-top", "sweatshirt"})
-_STRIPES, _AT_SIDES = "side_stripes", "side stripes"
+_SECOND = (("side_stripes", "side_stripes", "side stripes"), ("edging", "braid", "edging"))
+"""Parts that a second colour may be put on, what they stand for, and their trims."""
 _KNITS = frozenset({"jersey", "rib-knit", "sweatshirt", "fleece"})
 _SAID_ALONE = frozenset(
     {
@@ -174,8 +175,9 @@ def trims_wanted(heard: Heard, draft: str = "", kind: str = "") -> tuple[TrimWis
             choices = three_as_said(choices, heard.text)
         if choices:
             found.append(TrimWish(lack.what, lack.said, choices, bool(said)))
-    if heard.looks.second == _STRIPES and not any(wish.what == _STRIPES for wish in found):
-        found.append(TrimWish(_STRIPES, False, ((_AT_SIDES,),)))
+    for part, what, name in _SECOND:
+        if heard.looks.second == part and not any(wish.what == what for wish in found):
+            found.append(TrimWish(what, False, ((name,),)))
     if draft in _RIBBED and not any(wish.what == _RIBS for wish in found) and _is_knitted(heard, draft):
         found.append(TrimWish(_RIBS, False, (("neck rib", "armhole ribs"), ("neck rib",), ("armhole ribs",))))
     if draft in _FOR_JACKETS and not any(wish.what == "buttons" for wish in found) and _is_a_jacket(heard):
