@@ -81,6 +81,8 @@ _PANES = re.compile(r"window|pane|tattersall|grid|graph|overcheck", re.IGNORECAS
 _BLOCKS, _HUNG_CM = 3, 180.0
 _BANDS_OF = {2: "two_blocks", 3: "blocks", 4: "four_blocks"}
 _BARE_ARMS = Claim("sleeves", "none")
+_WHITE, _COLORED, _PALEST = "#fdfcf8", 24, 226.0
+"""Difference of red, green and blue from which a pale colour is no white, and its most brightness, 0 to 255."""
 _NEAR = 2
 """Characters between a colour and the print that it is of."""
 _VAGUE = frozenset("print prints printed patterned patterning mixed".split()) | {"a print", "all over print"}
@@ -317,7 +319,14 @@ def _colors(kind: str, motif: str | None, named: list[str], inks: tuple[str, ...
     if len(named) == 1 and len(inks) > 1:  # a red hi-vis vest has silver bands
         near = abs(brightness(inks[1]) - brightness(named[0])) < _LEAST_APART
         named.append(mixed(LIGHT, named[0], 0.6) if near else inks[1])
-    return (*named, contrast(named[0]))[:2]
+    return (*named, _beside(named[0]))[:2]
+
+
+def _beside(color: str) -> str:
+    """White beside a pale colour, as gingham and stripes have it; navy beside white and cream."""
+    parts = [int(color[k : k + 2], 16) for k in (1, 3, 5)]
+    pale = max(parts) - min(parts) >= _COLORED and brightness(color) <= _PALEST
+    return _WHITE if pale and contrast(color) == DARK else contrast(color)
 
 
 def _start(text: str, mark: WordMark) -> int:

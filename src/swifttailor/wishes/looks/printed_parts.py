@@ -15,6 +15,8 @@ _BESIDE = re.compile(r"[\s-]*(?:(?:print(?:ed)?|pattern(?:ed)?|fabric)[\s-]+)?",
 """What may stand between a print and the part behind it."""
 _BEHIND = re.compile(r"\s+(?:in|of|made of|made from)\s+(?:an?\s+)?", re.IGNORECASE)
 """What stands between a part and the print behind it."""
+_ON = re.compile(r"\s+(?:on|at)\s+(?:(?:the|its|both|each|one)\s+)?", re.IGNORECASE)
+"""What stands between a print and the part that it is on: "stripes on the sleeves"."""
 _JOINED = re.compile(r"\s*(?:,|&|and|und|et|y|e|en)\s+(?:the\s+|an?\s+)?", re.IGNORECASE)
 _OF_DRESSES = frozenset({"skirt", "back", "front", "lower_half", "legs"})
 """Parts that are named like garments or sides: they count behind "with" alone."""
@@ -25,6 +27,8 @@ _NO_PANELS = re.compile(
     re.IGNORECASE,
 )
 """What is of the garment's print wherever it has one."""
+_ALONE = re.compile(r"(?:(?:back |front |chest |patch )?pockets?|lining|belt)", re.IGNORECASE)
+"""Of that, what "on" says that nothing else has the print."""
 _APART = re.compile(r"(?:lining|belt|ribbing|piping)", re.IGNORECASE)
 """Of that, what has a print of its own where one stands before it, also without "with"."""
 
@@ -97,7 +101,11 @@ def _said_of(text: str, marks: Sequence[WordMark], k: int) -> list[WordMark]:
         first -= 1  # "with a white polka dot skirt"
     said = _WITH.search(text[: marks[first].start]) is not None
     behind = [m for m in marks[k + 1 :] if category_of(m) != "function"]
-    if behind and _is_part(behind, 0, said) and _BESIDE.fullmatch(text[marks[k].end : behind[0].start]):
+    between = text[marks[k].end : behind[0].start] if behind else ""
+    if behind and (
+        (_is_part(behind, 0, said) and _BESIDE.fullmatch(between))
+        or (_ON.fullmatch(between) and (_is_part(behind, 0, False) or _ALONE.fullmatch(behind[0].word)))
+    ):
         found = [behind[0]]
         for n, mark in enumerate(behind[1:], 1):
             if not (_is_part(behind, n, said) and _JOINED.fullmatch(text[found[-1].end : mark.start])):

@@ -15,7 +15,7 @@ _APART = 38.0
 """Distance in CIELAB from which two colours are called by different names."""
 _ALIKE = 32
 """Difference in red, green and blue up to which two colours are called the same, 0 to 255."""
-_BLACK, _BLACKISH = 45.0, 95.0
+_BLACK, _BLACKISH = 45.0, 82.0
 """Brightness of what is called black, and of what hardly differs from it on the body, 0 to 255."""
 
 
