@@ -19,10 +19,18 @@ def test_a_modest_one_has_a_high_neck():
 
 @pytest.mark.parametrize(
     ("text", "claims"),
-    [("evening gown", []), ("modest evening gown with a V neck", [Claim("neckline", "v")])],
+    [
+        ("evening gown", []),
+        ("modest mini gown with a V neck", [Claim("neckline", "v"), Claim("skirt_hem", "mini")]),
+    ],
 )
 def test_others_keep_theirs(text, claims):
-    assert modest_as_asked(LOW, read_words(text), claims) is LOW
+    assert modest_as_asked(LOW, read_words(text), claims) == LOW
+
+
+def test_its_skirt_covers_the_knees():
+    found = modest_as_asked(LOW, read_words("modest office dress"), [])
+    assert float(dict(found.options)["skirt_length"]) > 70
 
 
 @pytest.mark.parametrize("text", ["modest dress", "modest navy dress", "modest midi dress in green"])

@@ -69,7 +69,9 @@ _CUT_AS = {"tunic": "top", "shorts": "trousers", "playsuit": "jumpsuit"}
 _FLARED, _STRAIGHT = Claim("skirt", "flared"), Claim("skirt", "straight")
 _WHATEVER = NamedDraft("t-shirt", (("neck_widening", 0.7), ("chest_ease", 8.0), ("waist_shaping", 1.0)))
 _CLOSE = frozenset({Claim("fit", "close"), Claim("hips", "close")})
-_OF_MOODS = frozenset({Claim("sleeves", "long"), Claim("fit", "close")})
+_OF_MOODS = frozenset(
+    {Claim("sleeves", "long"), Claim("skirt_hem", "below the knee"), Claim("fit", "close")}
+)
 """What words of fits that name a mood make likely, and a draft is to have: a modest dress, a sexy one."""
 _KNITTED, _CORDUROY = ("jersey", "rib-knit"), "twill"
 """Fabrics that stretch, and what corduroy is made as, which has ribs and does not."""
