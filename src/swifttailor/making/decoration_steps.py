@@ -208,8 +208,8 @@ _OTHERS: Mapping[str, tuple[str, str]] = {
         ("chest heart", "chest star"),
         (
             "Figure on the chest",
-            "Cut the marked figure of the other cloth in one piece, without allowances, iron it onto the fronts "
-            "when these are joined, and sew closely around it.",
+            "Cut the marked figure of the other cloth in one piece, without allowances, iron it onto the "
+            "fronts when these are joined, and sew closely around it.",
         ),
     ),
     "side panels": (

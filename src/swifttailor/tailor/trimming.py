@@ -76,7 +76,9 @@ def with_looks_that_fit(answer: Answer) -> Answer:
     if not missing and heard is wanted.heard.looks:
         return answer
     kept = tuple([look for look in heard.looks if look not in missing])
-    missed = [look for look in missing if look.part in heard.said and look.part != MOTIF]  # that is said anyway
+    missed = [
+        look for look in missing if look.part in heard.said and look.part != MOTIF
+    ]  # that is said anyway
     refused = [look_refused(look) for look in missed]
     looks = replace(heard, looks=kept, refused=(*heard.refused, *refused))
     return replace(answer, wanted=replace(wanted, heard=replace(wanted.heard, looks=looks)))

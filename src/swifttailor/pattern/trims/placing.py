@@ -23,9 +23,9 @@ from swifttailor.pattern.trims import (
 from swifttailor.pattern.trims.arm_slits import arm_slits
 from swifttailor.pattern.trims.boning import boning
 from swifttailor.pattern.trims.chalk import Chalk
+from swifttailor.pattern.trims.chest_motifs import chest_heart, chest_star
 from swifttailor.pattern.trims.cowl import cowl_folds
 from swifttailor.pattern.trims.diagonal_closing import diagonal_closing
-from swifttailor.pattern.trims.chest_motifs import chest_heart, chest_star
 from swifttailor.pattern.trims.elbow_patches import elbow_patches
 from swifttailor.pattern.trims.epaulettes import epaulettes
 from swifttailor.pattern.trims.fur_edges import fur_trim, neck_fur, sleeve_fur

@@ -215,7 +215,7 @@ def _kind_named_alone(text: str, words: WordReading) -> list[Implication]:
 
 
 def _outdone(words: WordReading) -> list[Gain]:
-    """What names of garments usually stand for, and a detail contradicts; and what words for fits speak against."""
+    """What names usually stand for and a detail contradicts, and what words for fits speak against."""
     meant = {i.claim for i in words.implications}
     fits = [mark for mark in words.marks if mark.role == "word" and not mark.denied]
     against = [c for mark in fits for e in mark.entries if e.category == "fits" for c in e.against]

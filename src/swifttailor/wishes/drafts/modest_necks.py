@@ -20,7 +20,7 @@ _SHORTEST_CM = 71.0
 
 
 def modest_as_asked(draft: NamedDraft, words: WordReading | None, claims: Sequence[Claim]) -> NamedDraft:
-    """A dress whose neck is closed, and whose skirt covers the knees, where a word for how it is worn asks for that; others as they are.
+    """A dress with a closed neck and a skirt below the knees where it is to be modest; others as they are.
 
     Args:
         draft: As it goes with what else is asked for.

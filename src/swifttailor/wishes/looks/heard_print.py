@@ -82,7 +82,7 @@ _BLOCKS, _HUNG_CM = 3, 180.0
 _BANDS_OF = {2: "two_blocks", 3: "blocks", 4: "four_blocks"}
 _BARE_ARMS = Claim("sleeves", "none")
 _WHITE, _COLORED, _PALEST = "#fdfcf8", 24, 226.0
-"""Difference of red, green and blue from which a pale colour is no white, and its most brightness, 0 to 255."""
+"""Difference of red, green and blue from which a pale colour is no white, and its most brightness."""
 _NEAR = 2
 """Characters between a colour and the print that it is of."""
 _VAGUE = frozenset("print prints printed patterned patterning mixed".split()) | {"a print", "all over print"}

@@ -1,4 +1,4 @@
-"""Several colours of one garment that a text names side by side, and says of no part: "a red and white dress"."""
+"""Colours of one garment that a text names side by side, and says of no part: "a red and white dress"."""
 
 from __future__ import annotations
 
@@ -15,6 +15,11 @@ _JOINED = re.compile(
 """What stands between two of them; of colours with "or" between one is enough."""
 _TWO_SHADES = re.compile(r"[\s-]*", re.IGNORECASE)
 """Between the words of one colour: navy blue."""
+
+_CHOICE = re.compile(
+    r"(?<!\w)(?:or|oder|ou|o|u|of|maybe|perhaps|instead|rather|better|no)(?!\w)", re.IGNORECASE
+)
+"""Between colours of which one is enough."""
 
 
 def joined_places(text: str, words: WordReading) -> tuple[int, ...]:
@@ -46,27 +51,21 @@ def joined_colors(text: str, words: WordReading) -> tuple[NamedColor, ...]:
     return tuple([words.colors[k] for k in joined_places(text, words)])
 
 
-def left_over(
-    text: str, words: WordReading, shown: Sequence[str], others: Sequence[str] = ()
-) -> tuple[str, ...]:
-    """The colours, as a text has them, that nothing of the garment is in.
+def left_over(text: str, words: WordReading, shown: Sequence[str]) -> tuple[str, ...]:
+    """The colours, as a text has them, that nothing of the garment is in; of a choice one is enough.
 
     Args:
         text: That the lexicon has read.
         words: By the lexicon.
         shown: Colours of the garment, its print and its parts, ``#rrggbb``.
-        others: Where an "or" offers a choice, none of these is missed.
     """
     missed = []
     marks = words.color_marks
     for k, color in enumerate(words.colors):
-        if f"#{color.rgb}" in shown or color.words in others:
+        if f"#{color.rgb}" in shown:
             continue
         before = text[marks[k - 1].end : marks[k].start] if k else ""
         if k and (_TWO_SHADES.fullmatch(before) or _CHOICE.search(before)):
             continue
         missed.append(color.words)
     return tuple(dict.fromkeys(missed))
-
-
-_CHOICE = re.compile(r"(?<!\w)(?:or|oder|ou|o|u|of|maybe|perhaps|instead|rather|better|no)(?!\w)", re.IGNORECASE)

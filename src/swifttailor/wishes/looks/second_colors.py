@@ -1,6 +1,6 @@
 """Where the second of two colours goes that a text names side by side and says of no part.
 
-On what the garment has in another colour anyway: an apron, braid, stripes down the legs, the collar of a sailor.
+On what the garment has in another colour anyway: an apron, braid, stripes, the collar of a sailor.
 Else on blocks: the skirt of a dress, the sleeves and collar of a top; of trousers on stripes down the sides.
 """
 

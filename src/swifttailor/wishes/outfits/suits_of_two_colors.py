@@ -1,6 +1,6 @@
 """Suits in two colours: the jacket is in the first, the trousers or the skirt in the second.
 
-"A white and red suit" is a white jacket and red trousers. Tracksuits, pyjamas and kits are in both colours each.
+"A white and red suit" is a white jacket and red trousers. Tracksuits and pyjamas have both colours each.
 """
 
 from __future__ import annotations
@@ -45,4 +45,3 @@ def parted_by_color(text: str, words: WordReading) -> str:
         if _BEHIND.fullmatch(text, mark.end, begins) and _ENDS.match(text, end.end):
             return text[: mark.start] + halves + text[end.end :]
     return text
-

@@ -113,7 +113,7 @@ def _turned(text: str) -> str:
 
 
 def _corrected(text: str) -> str:
-    """The text without what it takes back, but for the garment, where it corrects that of another: its colour."""
+    """The text without what it takes back, but for the garment where that alone is not corrected."""
     found = _CORRECTED.search(text)
     if found is None:
         return text

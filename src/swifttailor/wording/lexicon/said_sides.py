@@ -12,7 +12,10 @@ if TYPE_CHECKING:
 
 _PAIRS = ("sleeves", "legs")
 _ONE = r"(?:one|a single|ein|eine|einen|einem|einer|un|une|una|unas?)"
-_OTHER = r"(?:(?:the |an)?other|another|die andere|der andere|das andere|den anderen|l['’]autre|(?:la |el )otra|(?:el )?otro)"
+_OTHER = (
+    r"(?:(?:the |an)?other|another|die andere|der andere|das andere|den anderen|l['’]autre"
+    r"|(?:la |el )otra|(?:el )?otro)"
+)
 _ONE_OF = re.compile(rf"{_ONE}\s", re.IGNORECASE)
 _BEFORE = re.compile(rf"(?<!\w){_ONE}\s+$", re.IGNORECASE)
 _OTHER_BEFORE = re.compile(
