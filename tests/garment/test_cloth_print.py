@@ -120,7 +120,8 @@ def test_what_fades_goes_once_over_all_panels_as_they_are_worn(motif):
     for k, panel in enumerate(panels):
         own = mesh.flat_panel == k
         world[mesh.weld[own]] = panel.to_world(mesh.flat_vertices[own])
-    fading = ClothPrint("motif", ("#000000", "#808080", "#ffffff"), {"repeat": 100.0}, motif)
+    between = {"two_blocks": (), "four_blocks": ("#404040", "#a0a0a0")}.get(motif, ("#808080",))
+    fading = ClothPrint("motif", ("#000000", *between, "#ffffff"), {"repeat": 100.0}, motif)
     garment = Garment(mesh, world, print=fading)
     height = world[mesh.weld, 1]
     places = flat_places(garment)

@@ -102,6 +102,8 @@ TRIMMED = {
     "princess dress": ("skater-dress", ("princess seams",)),
     "paper bag trousers": ("pull-on-trousers", ("waist frill", "scalloped edge")),
     "flapper dress": ("drop-waist-dress", ("hem fringe", "neck cord")),
+    "heart tee": ("t-shirt", ("chest heart",)),
+    "star hoodie": ("hoodie", ("chest star",)),
 }
 """Name of a draft and what is put on it: between them all trims that there are."""
 

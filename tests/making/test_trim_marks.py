@@ -47,7 +47,7 @@ NAMES = (
     "working trousers", "jeans torn at the left", "jeans torn at the right",
     "milkmaid dress", "ruched dress", "cowl dress", "cold shoulder top", "cut-out dress", "patched jumper",
     "draped gown", "tucked blouse", "princess dress", "paper bag trousers",
-    "flapper dress",
+    "flapper dress", "heart tee", "star hoodie",
 )  # fmt: skip
 
 

@@ -60,6 +60,7 @@ MOTIFS = (
     *("penguins", "pandas", "sharks", "whales", "unicorns", "parrots", "tigers", "rockets", "cacti"),
     *("daisies", "sunflowers"),
     *("galaxy", "camouflage", "zigzag", "herringbone", "rainbow", "ombre", "blocks", "aztec", "wax_print"),
+    *("two_blocks", "four_blocks"),
 )
 TEXTURE_SIDE = 2048
 """Pixels: a millimetre or two of cloth each."""

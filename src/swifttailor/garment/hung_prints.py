@@ -11,7 +11,7 @@ from swifttailor.arrays import Array
 if TYPE_CHECKING:
     from swifttailor.garment.garment import Garment
 
-HUNG = frozenset({"ombre", "blocks"})
+HUNG = frozenset({"ombre", "blocks", "two_blocks", "four_blocks"})
 """Motifs whose lower half, mirrored in the upper one, is the whole garment from below."""
 
 

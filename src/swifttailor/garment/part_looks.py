@@ -103,6 +103,7 @@ TRIMS_OF_PARTS: Mapping[str, tuple[str, ...]] = {
     "bow": ("neck bow", "waist bow", "shoulder bows", "back bow", "back ties"),
     "lacing": ("lacing", "back lacing"),
     "apron": ("apron",),
+    "motif": ("chest heart", "chest star"),
 }
 """What is put on a garment and may have a colour of its own, and which trims it is."""
 PANEL_PARTS = tuple(_PARTS)

@@ -35,6 +35,7 @@ _LOOKS_COLORED: Mapping[str, tuple[str, ...]] = {
     "bow": ("cloth",),
     "lacing": ("dark",),
     "apron": ("cloth",),
+    "motif": ("cloth",),
 }
 """Of what is put on, the parts that have that colour: a buckle is metal whatever its belt is."""
 _COLORS = {"metal": "#8d8f94", "leather": "#4a3226", "hole": "#a9a097"}
@@ -52,6 +53,8 @@ _IN_ANOTHER: Mapping[str, tuple[str, str]] = {
     "reflecting bands": ("#d5d9dc", "#b4bac0"),
     "elbow patches": ("#8a6748", "#7a5536"),
     "toggles": ("#ecdcbc", "#5b3d26"),
+    "chest heart": ("#d8404f", "#c22f40"),
+    "chest star": ("#f0c94a", "#e2a92c"),
 }
 """What is of another colour than the cloth, where none is told: on darker cloth, and on light cloth."""
 _UNDYED, _PALE = "#f1efe9", 0.62

@@ -209,6 +209,14 @@ _OTHERS: Mapping[str, tuple[str, str]] = {
         "Cut the marked pieces of the other cloth, with allowances. Press these under, lay the pieces on the "
         "sleeves while these are flat, and topstitch all around.",
     ),
+    **dict.fromkeys(
+        ("chest heart", "chest star"),
+        (
+            "Figure on the chest",
+            "Cut the marked figure of the other cloth in one piece, without allowances, iron it onto the "
+            "fronts when these are joined, and sew closely around it.",
+        ),
+    ),
     "side panels": (
         "Side panels",
         "Cut the marked pieces from the other cloth, with allowances, and the panels so much narrower; "

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from functools import partial
 
 import numpy as np
 
@@ -41,10 +42,10 @@ def ombre() -> Array:
     return RAMP * _FADES * np.abs(1.0 - 2.0 * y) * np.ones((NAMED_SIDE, NAMED_SIDE))
 
 
-def blocks() -> Array:
-    """Three broad bands, the last colour below, the first in the middle, and back again."""
+def blocks(bands: int = 3) -> Array:
+    """Broad bands, the last colour below, the first in the middle, and back again."""
     _, y = cells()
-    return RAMP * np.minimum(np.floor(3.0 * np.abs(1.0 - 2.0 * y)), 2.0)
+    return RAMP * np.minimum(np.floor(bands * np.abs(1.0 - 2.0 * y)), bands - 1.0)
 
 
 DRAWN: Mapping[str, Callable[[], Array]] = {
@@ -53,4 +54,6 @@ DRAWN: Mapping[str, Callable[[], Array]] = {
     "rainbow": rainbow,
     "ombre": ombre,
     "blocks": blocks,
+    "two_blocks": partial(blocks, 2),
+    "four_blocks": partial(blocks, 4),
 }

@@ -28,4 +28,5 @@ def color_of_set(outfit: TwoGarments | None) -> str | None:
     if any(piece.says_color for piece in pieces):
         return None
     usual = next((piece.color for piece in pieces if piece.color is not None), None)
-    return usual or PALETTE[zlib.crc32(outfit.upper.encode()) % len(PALETTE)]
+    besides = next((piece.color_besides for piece in pieces if piece.color_besides is not None), None)
+    return usual or besides or PALETTE[zlib.crc32(outfit.upper.encode()) % len(PALETTE)]

@@ -74,8 +74,7 @@ def heard_notes(wanted: Wanted) -> list[str]:
         found.append(f"Which garment is meant was not understood, so this one is a guess.{near}")
     found += [f"{_quoted(pair)} contradict each other." for pair in heard.contradictions]
     if heard.color is not None and heard.words is not None:
-        inks = () if heard.print is None else heard.print.colors
-        others = [color.words for color in heard.words.colors[1:] if f"#{color.rgb}" not in inks]
+        others = heard.missed_colors
         more = f"; of several colours the first is used, so not {_quoted(others)}" if others else ""
         named = f"{heard.words.colors[0].words} ({heard.color})" if heard.words.colors else heard.color
         found.append(f"Colour: {named}{more}.")

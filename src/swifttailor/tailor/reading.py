@@ -137,7 +137,7 @@ class Wanted:
         kept = order.color or cloth_color(order.edit) if order.edit is not None else None
         of_set = order.is_of_two and (order.part != "beside" or (order.outfit and order.outfit.third_alike))
         shared = color_of_set(order.outfit) if of_set else None
-        return shared or self.heard.color or kept
+        return shared or self.heard.color or kept or self.heard.color_besides
 
     @property
     def print(self) -> ClothPrint | None:

@@ -15,8 +15,10 @@ from swifttailor.wishes.heard import Heard
 from swifttailor.wishes.instructions.changes_of_garment import named_kind
 from swifttailor.wishes.looks.heard_looks import look_refused
 from swifttailor.wishes.looks.ribs import RIBBED
+from swifttailor.wishes.looks.second_colors import second_where_it_fits
 from swifttailor.wishes.trims.button_counts import buttons_stated, usual_buttons
 from swifttailor.wishes.trims.trims_wanted import TRIMS_OF, is_of_lace, refused_trims, trims_wanted
+from swifttailor.wording.lexicon.look_words import MOTIF
 
 _CLOSES_NECKS = ("polo placket", "half zip", "waist placket")
 _CLOSED_BY_IT = ("open_front", "hooks")
@@ -69,11 +71,15 @@ def with_looks_that_fit(answer: Answer) -> Answer:
     if wanted is None or not wanted.heard.looks.looks:
         return answer
     heard = wanted.heard.looks
+    heard = second_where_it_fits(heard, lambda part: has_part(answer.pattern, part))
     missing = [look for look in heard.looks if not has_part(answer.pattern, look.part)]
-    if not missing:
+    if not missing and heard is wanted.heard.looks:
         return answer
     kept = tuple([look for look in heard.looks if look not in missing])
-    refused = [look_refused(look) for look in missing if look.part in heard.said]
+    missed = [
+        look for look in missing if look.part in heard.said and look.part != MOTIF
+    ]  # that is said anyway
+    refused = [look_refused(look) for look in missed]
     looks = replace(heard, looks=kept, refused=(*heard.refused, *refused))
     return replace(answer, wanted=replace(wanted, heard=replace(wanted.heard, looks=looks)))
 

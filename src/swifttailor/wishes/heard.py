@@ -17,15 +17,19 @@ from swifttailor.wishes.looks.color_of_bodies import color_behind_name, color_of
 from swifttailor.wishes.looks.flecks import is_flecked
 from swifttailor.wishes.looks.heard_looks import NO_LOOKS, HeardLooks, heard_looks
 from swifttailor.wishes.looks.heard_print import asks_for_plain, heard_print
+from swifttailor.wishes.looks.joined_colors import joined_colors, left_over
 from swifttailor.wishes.looks.naps import nap_of
 from swifttailor.wishes.looks.printed_parts import ON_ALL, PrintedParts, printed_parts
+from swifttailor.wishes.looks.refused_colors import color_besides, is_like
 from swifttailor.wishes.looks.ribs import ribs
+from swifttailor.wishes.looks.second_colors import with_second_color
 from swifttailor.wishes.reader import Wish
 from swifttailor.wishes.text.lexicon_spelling import near_names
 from swifttailor.wording.claim_kinds import implied_kind
 from swifttailor.wording.lexicon import (
     Entry,
     Lack,
+    NamedColor,
     WordMark,
     WordReading,
     cannot_texts,
@@ -36,8 +40,6 @@ from swifttailor.wording.lexicon import (
 _COLOR_OF_CLOTH = {"denim": "3b5578"}
 """What a fabric is dyed unless another colour than blue is named."""
 _BLUE = "365c96"
-_ALIKE = 32
-"""So far apart at most are red, green and blue, of 255, of colours that are called the same."""
 _NEAR = 30.0
 """The same of a colour that was seen, in Lab: "red" is dark red and scarlet as well."""
 
@@ -92,6 +94,12 @@ class Heard:
         return None if rgb is None else f"#{rgb}"
 
     @property
+    def color_besides(self) -> str | None:
+        """A colour that is none of those that it refuses, ``#rrggbb``; None where it refuses none."""
+        found = color_besides(self._denied_colors)
+        return None if found is None else f"#{found}"
+
+    @property
     def says_color(self) -> bool:
         """Whether it names a colour, a print or dyed cloth; names of garments only imply a colour."""
         words = self.words
@@ -105,13 +113,13 @@ class Heard:
     @cached_property
     def printed_parts(self) -> PrintedParts:
         """The parts that its print is on, where it is not on the whole."""
-        return ON_ALL if self.words is None else printed_parts(self.rest or self.text, self.words)
+        return ON_ALL if self.words is None else printed_parts(self._as_read, self.words)
 
     @cached_property
     def print(self) -> ClothPrint | None:
         """The print that it asks for."""
         parts = self.printed_parts
-        return None if self.words is None else heard_print(self.rest or self.text, self.words, parts)
+        return None if self.words is None else heard_print(self._as_read, self.words, parts, self.kind)
 
     @property
     def ribs(self) -> tuple[float, float] | None:
@@ -154,9 +162,36 @@ class Heard:
         words = self.words if words is None else words
         said = () if words is None else [look for look in words.looks if look.said or implied]
         parts = self.printed_parts
-        if not said and not parts:
-            return self
-        return replace(self, looks=heard_looks(said, self.kind, self.color, self.print, parts))
+        looks = heard_looks(said, self.kind, self.color, self.print, parts) if said or parts else NO_LOOKS
+        if implied and words is not None and self.print is None and len(self._joined_colors) > 1:
+            lacking = [lack.what for lack in self.lacks]
+            looks = with_second_color(looks, self._joined_colors, self.kind, lacking)
+        return self if looks == NO_LOOKS else replace(self, looks=looks)
+
+    @cached_property
+    def _as_read(self) -> str:
+        """The text that `words` are the words of: where a name is a guess, it stands before its text."""
+        guessed = f"{self.guess}, {self.text}"
+        marks = () if self.words is None else self.words.marks
+        fits = bool(self.guess) and all(guessed[mark.start : mark.end] == mark.word for mark in marks)
+        return self.rest or (guessed if fits else self.text)
+
+    @cached_property
+    def _joined_colors(self) -> tuple[NamedColor, ...]:
+        """Colours that it names side by side; none where its first colour is not among them."""
+        if self.words is None:
+            return ()
+        found = joined_colors(self._as_read, self.words)
+        return found if found and f"#{found[0].rgb}" == self.color else ()
+
+    @property
+    def missed_colors(self) -> tuple[str, ...]:
+        """Colours of the garment that it names, and that nothing of it is in."""
+        if self.words is None or self.color is None:
+            return ()
+        inks = () if self.print is None else self.print.colors
+        shown = [self.color, *inks, *[look.color for look in self.looks.looks if look.color is not None]]
+        return left_over(self._as_read, self.words, shown)
 
     def made_as(self, draft: NamedDraft) -> Heard:
         """The same, where the garment begins from a draft: what that shows is no longer lacking.
@@ -192,7 +227,7 @@ class Heard:
     def _unwanted_colors(self) -> frozenset[str]:
         """Colours that it refuses, and such as look like them: a dress for a wedding that is not white."""
         denied, known = self._denied_colors, self._implied_colors
-        alike = [one for one in known for other in denied if _alike(one, other)]
+        alike = [one for one in known for other in denied if is_like(one, other)]
         return frozenset([*denied, *alike])
 
     @property
@@ -211,7 +246,9 @@ class Heard:
     @cached_property
     def cannot(self) -> tuple[str, ...]:
         """What it asks for and cannot be made, in words."""
-        return (*[cannot_texts()[lack.what] for lack in self.lacks if lack.said], *self.looks.refused)
+        lacking = [cannot_texts()[lack.what] for lack in self.lacks if lack.said]
+        missed = [f"one more colour ({color.lower()})" for color in self.missed_colors]
+        return (*lacking, *self.looks.refused, *missed)
 
     @cached_property
     def left_out(self) -> tuple[str, ...]:
@@ -254,9 +291,3 @@ _PERSONS = "persons.txt"
 """Of whom the looks are known."""
 HEARD_NOTHING = Heard("")
 """Where there is no text."""
-
-
-def _alike(one: str, other: str) -> bool:
-    """Whether two colours (``rrggbb``) are hardly told apart by their names."""
-    apart = [abs(int(one[k : k + 2], 16) - int(other[k : k + 2], 16)) for k in (0, 2, 4)]
-    return max(apart) <= _ALIKE

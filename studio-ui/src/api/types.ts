@@ -330,7 +330,9 @@ export type PrintMotif =
   | "ombre"
   | "blocks"
   | "aztec"
-  | "wax_print";
+  | "wax_print"
+  | "two_blocks"
+  | "four_blocks";
 /**
  * cm: width and gap of stripes, width of checks, spacing of plaid and dots, radius of dots, repeat of motifs; angle,
  * degrees: 0 runs around the body, 90 down it.

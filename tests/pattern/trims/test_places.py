@@ -133,6 +133,8 @@ SHOULD_HAVE = {
     "waist frill": ("pull-on-trousers", "trousers", "gathered-skirt", "circle-skirt"),
     "scalloped edge": ("t-shirt", "trousers", "circle-skirt", "peplum-top"),
     "toggles": ("hooded-coat", "coat", "turtleneck", "cardigan"),
+    "chest heart": ("t-shirt", "sweatshirt", "hoodie", "tank-top", "t-shirt", "shift-dress"),
+    "chest star": ("t-shirt", "sweatshirt", "hoodie", "tank-top", "turtleneck"),
 }
 CHILDREN = (60.0, 92.0, 110.0, 128.0, 152.0)
 SOME = tuple(info for info in list_drafts() if info.name not in ("gored-skirt", "pleated-skirt"))

@@ -17,6 +17,7 @@ IN_PAIRS = (
     "back pockets", "cargo pockets", "drawstring", "neck cord", "lacing", "double-breasted buttons",
     "lower back pockets", "knee patches", "back welt pockets",
     "shoulder cut-outs", "waist cut-outs", "back cut-out", "cowl folds", "elbow patches",
+    "chest heart", "chest star",
 )  # fmt: skip
 
 

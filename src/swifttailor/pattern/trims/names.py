@@ -108,6 +108,8 @@ TRIMS: Mapping[str, str] = {
     "waist frill": "a frill above the waistband",
     "scalloped edge": "arcs along the hem",
     "toggles": "toggles with loops",
+    "chest heart": "a heart on the chest",
+    "chest star": "a star on the chest",
 }
 """By name, what each is for people. None joins panels, so none changes how a garment is cut or hangs."""
 LIKE_EACH_OTHER = (
@@ -147,6 +149,7 @@ LIKE_EACH_OTHER = (
     ("sleeve stripes", "shoulder cut-outs"),
     ("side panels", "waist cut-outs"),
     ("rips", "knee rips", "left knee rip", "right knee rip", "knee patches"),
+    ("chest heart", "chest star"),
 )
 """Groups of which a garment has one at most."""
 MOST_BUTTONS = 20

@@ -23,6 +23,7 @@ from swifttailor.pattern.trims import (
 from swifttailor.pattern.trims.arm_slits import arm_slits
 from swifttailor.pattern.trims.boning import boning
 from swifttailor.pattern.trims.chalk import Chalk
+from swifttailor.pattern.trims.chest_motifs import chest_heart, chest_star
 from swifttailor.pattern.trims.cowl import cowl_folds
 from swifttailor.pattern.trims.diagonal_closing import diagonal_closing
 from swifttailor.pattern.trims.elbow_patches import elbow_patches
@@ -149,6 +150,8 @@ _PLACES: Mapping[str, Callable[[Chalk, str], list[Trim]]] = {
     "waist frill": waist_frill,
     "scalloped edge": decorations.scalloped_edge,
     "toggles": toggles,
+    "chest heart": chest_heart,
+    "chest star": chest_star,
 }
 """How each of `names.TRIMS` is marked."""
 

@@ -161,6 +161,8 @@ PrintMotif = Literal[
     "blocks",
     "aztec",
     "wax_print",
+    "two_blocks",
+    "four_blocks",
 ]
 PrintSize = Literal["width", "gap", "spacing", "radius", "repeat", "angle"]
 PrintColors = Annotated[list[Color], Field(min_length=2, max_length=6)]

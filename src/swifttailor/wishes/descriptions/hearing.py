@@ -217,11 +217,13 @@ def _kind_named_alone(text: str, words: WordReading) -> list[Implication]:
 
 
 def _outdone(words: WordReading) -> list[Gain]:
-    """What names of garments usually stand for, and a detail contradicts."""
+    """What names usually stand for and a detail contradicts, and what words for fits speak against."""
     meant = {i.claim for i in words.implications}
+    fits = [mark for mark in words.marks if mark.role == "word" and not mark.denied]
+    against = [c for mark in fits for e in mark.entries if e.category == "fits" for c in e.against]
     marks = [mark for mark in words.marks if mark.role == "garment" and not mark.denied]
     usual = [each.claim for mark in marks for entry in mark.entries for each in entry.implied]
-    return [Gain(claim) for claim in usual if claim not in meant]
+    return [Gain(claim) for claim in (*usual, *against) if claim not in meant]
 
 
 def _only_subjects(words: WordReading) -> frozenset[str] | None:

@@ -51,6 +51,10 @@ _TALK = _any_of(
     r"tell me (?:an? )?(?:[\w-]+ )?(?:joke|story)|who (?:won|is|was|are|invented)|translate",
     r"what(?:['’]s| is) the (?:weather|time|capital|meaning|score|answer)",
     r"how (?:do|old|far|many|are) (?:i|you|is|people)",
+    r"(?:what|which) (?:colou?rs?|styles?|sizes?) (?:suits?|go(?:es)?|should|would|looks?|am|is|do|does|are)",
+    r"do you (?:ship|deliver|sell|take|accept|speak|know|like|have)",
+    r"are you (?:real|human|an? (?:robot|bot|ai|person))",
+    r"how (?:does|do) (?:this|it|that|i use)|how much (?:does|do|is|are|will|would)|what can you (?:do|make)",
     r"(?:make|cook|bake|order|bring)(?: me| us) (?:an? |some )?"
     r"(?:sandwich|coffee|tea|cake|pizza|dinner|lunch|breakfast|website)",
     r"(?:schreib|écris|escribe)\w*(?:-moi)?(?: mir)? (?:ein|un|une) \w+",

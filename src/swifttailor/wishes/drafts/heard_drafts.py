@@ -26,6 +26,7 @@ from swifttailor.wishes.drafts.legs_by_words import ELASTIC, legs_as_said
 from swifttailor.wishes.drafts.loosened_drafts import is_to_be_loose, loosened_as_asked
 from swifttailor.wishes.drafts.low_skirts import low_as_asked
 from swifttailor.wishes.drafts.mandarin_collars import asks_for_mandarin_collar, with_mandarin_collar
+from swifttailor.wishes.drafts.modest_necks import modest_as_asked
 from swifttailor.wishes.drafts.opened_drafts import opened_as_asked
 from swifttailor.wishes.drafts.oversized_drafts import oversized_as_asked
 from swifttailor.wishes.drafts.pleated_dresses import pleats_as_asked
@@ -70,7 +71,7 @@ _CUT_AS = {"tunic": "top", "shorts": "trousers", "playsuit": "jumpsuit"}
 _FLARED, _STRAIGHT = Claim("skirt", "flared"), Claim("skirt", "straight")
 _WHATEVER = NamedDraft("t-shirt", (("neck_widening", 0.7), ("chest_ease", 8.0), ("waist_shaping", 1.0)))
 _CLOSE = frozenset({Claim("fit", "close"), Claim("hips", "close")})
-_OF_MOODS = frozenset({Claim("sleeves", "long"), Claim("fit", "close")})
+_OF_MOODS = frozenset({Claim("sleeves", "long"), Claim("skirt_hem", "below the knee"), Claim("fit", "close")})
 """What words of fits that name a mood make likely, and a draft is to have: a modest dress, a sexy one."""
 _KNITTED, _CORDUROY = ("jersey", "rib-knit"), "twill"
 """Fabrics that stretch, and what corduroy is made as, which has ribs and does not."""
@@ -109,6 +110,7 @@ def drafts_of(heard: Heard) -> tuple[NamedDraft, ...]:
     long = is_long_top(heard)
     fitting = [straight_as_said(to_the_legs_as_said(d, heard.text, long=long), heard.text) for d in fitting]
     fitting = [low_as_asked(draft, sure) for draft in gored_as_said(fitting, heard.text)]
+    fitting = [modest_as_asked(draft, heard.words, sure) for draft in fitting]
     fitting = [close_skirt_as_asked(draft, sure, _said_claims(heard)) for draft in fitting]
     if any(claim.name == "straps" for claim in sure):
         fitting = [_on_straps(draft) for draft in fitting]

@@ -9,8 +9,8 @@ from swifttailor.wording.lexicon import WordReading
 
 _FLECKED = ("tweed", "donegal", "homespun")
 """Words that such cloth is named by."""
-_SIDE_CM = 0.55
-_LIGHTER, _DARKER = 1.12, 0.78
+_SIDE_CM = 0.9
+_LIGHTER, _DARKER = 1.3, 0.68
 """How light the threads are beside the colour of the whole."""
 
 

@@ -40,6 +40,8 @@ class HeardLooks:
     """The parts that the text itself speaks of."""
     names: tuple[tuple[str, str], ...] = ()
     """Colours, ``#rrggbb``, and what the text calls them."""
+    second: str = ""
+    """The part that the second colour of the garment was put on, where the text says none."""
 
     @property
     def lines(self) -> tuple[str, ...]:
@@ -236,6 +238,17 @@ def _another_shade(color: str | None, *, gleams: bool) -> str:
     else:
         mixed = [round((0.86 if gleams else 0.6) * c) for c in channels]
     return "#" + "".join(f"{c:02x}" for c in mixed)
+
+
+def with_look(found: Sequence[PartLook], part: str, color: str) -> list[PartLook]:
+    """Some looks, and a colour of one part more.
+
+    Args:
+        found: Of other parts.
+        part: One of `PARTS`.
+        color: ``#rrggbb``.
+    """
+    return _with([look for look in found if look != PartLook(part)], PartLook(part, color))
 
 
 def _contrast(color: str | None) -> NamedColor:

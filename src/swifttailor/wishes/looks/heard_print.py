@@ -5,7 +5,9 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping, Sequence
 
+from swifttailor.describing.claims import Claim
 from swifttailor.garment.cloth_print import KINDS, ClothPrint
+from swifttailor.wishes.looks.joined_colors import joined_colors
 from swifttailor.wishes.looks.print_inks import (
     DARK,
     FIGURES,
@@ -80,6 +82,10 @@ _STRIPES_OF_ALL = "rainbow"
 _PANES = re.compile(r"window|pane|tattersall|grid|graph|overcheck", re.IGNORECASE)
 """Checks that are nothing but thin lines."""
 _BLOCKS, _HUNG_CM = 3, 180.0
+_BANDS_OF = {2: "two_blocks", 3: "blocks", 4: "four_blocks"}
+_BARE_ARMS = Claim("sleeves", "none")
+_WHITE, _COLORED, _PALEST = "#fdfcf8", 24, 226.0
+"""Difference of red, green and blue from which a pale colour is no white, and its most brightness."""
 _NEAR = 2
 """Characters between a colour and the print that it is of."""
 _VAGUE = frozenset("print prints printed patterned patterning mixed".split()) | {"a print", "all over print"}
@@ -90,19 +96,22 @@ _OF_NAMES = 2
 """How vague a print is that the name of a garment means."""
 
 
-def heard_print(text: str, words: WordReading, parts: PrintedParts = ON_ALL) -> ClothPrint | None:
+def heard_print(
+    text: str, words: WordReading, parts: PrintedParts = ON_ALL, kind: str | None = None
+) -> ClothPrint | None:
     """The print that a text asks for; None where it asks for none, or for plain cloth.
 
     Args:
         text: That the lexicon has read.
         words: By the lexicon.
         parts: What prints are said of, where that is not the whole: there they keep their own colours.
+        kind: Of the garment.
     """
     marks = [m for m in words.marks if not m.denied and _kind(m) in KINDS and m not in parts.unused]
     if not marks and parts:
         return None
     if not marks:
-        return _of_blocks(words) or _in_color(text, words)
+        return _in_color(text, words) or _of_blocks(text, words, kind)
     # What is said of the print itself goes before what names of garments mean, "leopard" before "print".
     mark = min(marks, key=_vagueness)
     if _vagueness(mark) == _OF_NAMES and asks_for_plain(words):
@@ -231,12 +240,19 @@ def _vagueness(mark: WordMark) -> int:
     return int(mark.word.lower() in _VAGUE or mark.word.lower().startswith("with "))
 
 
-def _of_blocks(words: WordReading) -> ClothPrint | None:
-    """Three broad bands, where a text names three colours for blocks of colour."""
-    if blocks_named(words.marks) is None or len(words.colors) < _BLOCKS:
+def _of_blocks(text: str, words: WordReading, kind: str | None) -> ClothPrint | None:
+    """Broad bands, where a text names three colours or more for blocks of colour, or side by side.
+
+    Two are bands on what has no parts to be in the second: a skirt, a top without sleeves.
+    """
+    colors = joined_colors(text, words)
+    if blocks_named(words.marks) is not None and len(words.colors) >= _BLOCKS:
+        colors = words.colors
+    bare = kind == "skirt" or (kind == "top" and words.certainty(_BARE_ARMS) is not None)
+    if asks_for_plain(words) or len(colors) < (2 if bare else _BLOCKS):
         return None
-    colors = tuple([f"#{color.rgb}" for color in words.colors[:_BLOCKS]])
-    return ClothPrint("motif", colors, {"repeat": _HUNG_CM}, "blocks")
+    inks = tuple([f"#{color.rgb}" for color in colors[: max(_BANDS_OF)]])
+    return ClothPrint("motif", inks, {"repeat": _HUNG_CM}, _BANDS_OF[len(inks)])
 
 
 def _of_part(words: WordReading, mark: WordMark, colors: list[str], named: NamedPrint) -> list[str]:
@@ -306,7 +322,14 @@ def _colors(kind: str, motif: str | None, named: list[str], inks: tuple[str, ...
     if len(named) == 1 and len(inks) > 1:  # a red hi-vis vest has silver bands
         near = abs(brightness(inks[1]) - brightness(named[0])) < _LEAST_APART
         named.append(mixed(LIGHT, named[0], 0.6) if near else inks[1])
-    return (*named, contrast(named[0]))[:2]
+    return (*named, _beside(named[0]))[:2]
+
+
+def _beside(color: str) -> str:
+    """White beside a pale colour, as gingham and stripes have it; navy beside white and cream."""
+    parts = [int(color[k : k + 2], 16) for k in (1, 3, 5)]
+    pale = max(parts) - min(parts) >= _COLORED and brightness(color) <= _PALEST
+    return _WHITE if pale and contrast(color) == DARK else contrast(color)
 
 
 def _start(text: str, mark: WordMark) -> int:

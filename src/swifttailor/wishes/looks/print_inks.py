@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+import colorsys
 from collections.abc import Sequence
 
 LIGHT, DARK, INK = "#f4f1e8", "#1f2a44", "#a8443c"
 _WHITE, _BLACK = "#ffffff", "#17151a"
 _LIGHT_FROM = 190.0
 """Brightness from which a colour counts as light, 0 to 255."""
+_PALE_FROM, _COLORED, _ALL_BUT_WHITE = 165.0, 0.12, 0.96
+"""The same of what fades into a stronger one; saturation and lightness of what is no white or grey."""
+_PETALS = {True: ("#c2566c", "#f6ead9", "#5f8a5a"), False: (LIGHT, "#e6a9ac", "#84a878")}
+"""Petals, others and leaves on light cloth, and on darker."""
 FIGURES = {
     "hearts": ("#f6f1ea", "#c8354a"),
     "stars": ("#1f2a44", "#e9c85c"),
@@ -162,6 +167,8 @@ def motif_inks(name: str, named: Sequence[str]) -> tuple[str, ...]:
         return _faded(named)
     if name == "herringbone" and len(named) == 1:
         return first, mixed(LIGHT if brightness(first) < _LIGHT_FROM / 3 else _BLACK, first, 0.45)
+    if name in ("flowers", "sprigs") and len(named) == 1:
+        return (first, *seen_on(first, _PETALS[brightness(first) >= _PALE_FROM]))
     other = named[1] if len(named) > 1 else contrast(first)
     if name == "camouflage" and len(named) == 1:
         dark = mixed(first, _BLACK, 0.25)
@@ -198,8 +205,18 @@ def _faded(named: Sequence[str]) -> tuple[str, ...]:
     if len(named) == 2:
         return named[0], mixed(named[0], named[1], 0.5), named[1]
     first = named[0]
-    top, low = (first, DARK) if brightness(first) >= _LIGHT_FROM else (mixed(first, _WHITE, 0.12), first)
+    pale = brightness(first) >= _PALE_FROM
+    top, low = (mixed(first, _WHITE, 0.5), _deepened(first)) if pale else (mixed(first, _WHITE, 0.12), first)
     return top, mixed(top, low, 0.5), low
+
+
+def _deepened(color: str) -> str:
+    """A pale colour as strong as the dye comes; navy of what is white."""
+    hue, light, strength = colorsys.rgb_to_hls(*[int(color[k : k + 2], 16) / 255 for k in (1, 3, 5)])
+    if strength < _COLORED or light > _ALL_BUT_WHITE:
+        return DARK
+    deep = colorsys.hls_to_rgb(hue, 0.55 * light, max(strength, 0.5))
+    return "#" + "".join([f"{round(255 * part):02x}" for part in deep])
 
 
 def tartan_inks(named: Sequence[str]) -> tuple[str, ...]:

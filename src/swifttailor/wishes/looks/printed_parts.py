@@ -15,15 +15,22 @@ _BESIDE = re.compile(r"[\s-]*(?:(?:print(?:ed)?|pattern(?:ed)?|fabric)[\s-]+)?",
 """What may stand between a print and the part behind it."""
 _BEHIND = re.compile(r"\s+(?:in|of|made of|made from)\s+(?:an?\s+)?", re.IGNORECASE)
 """What stands between a part and the print behind it."""
+_ON = re.compile(r"\s+(?:on|at)\s+(?:(?:the|its|both|each|one)\s+)?", re.IGNORECASE)
+"""What stands between a print and the part that it is on: "stripes on the sleeves"."""
 _JOINED = re.compile(r"\s*(?:,|&|and|und|et|y|e|en)\s+(?:the\s+|an?\s+)?", re.IGNORECASE)
 _OF_DRESSES = frozenset({"skirt", "back", "front", "lower_half", "legs"})
 """Parts that are named like garments or sides: they count behind "with" alone."""
 _WITH = re.compile(r"(?<!\w)(?:with|but|has|having|and)(?:\s+(?:an?|the|its))?\s*$", re.IGNORECASE)
 _NO_PANELS = re.compile(
-    r"(?:pockets?|trims?|trimmings?|lining|belt|piping|edging|hem|bow|frills?|ruffles?|buttons?|yoke|patches)",
+    r"(?:pockets?|trims?|trimmings?|lining|belt|piping|edging|hem|bow|frills?|ruffles?|buttons?|yoke|patches"
+    r"|ribbing|cuffs?)",
     re.IGNORECASE,
 )
 """What is of the garment's print wherever it has one."""
+_ALONE = re.compile(r"(?:(?:back |front |chest |patch )?pockets?|lining|belt)", re.IGNORECASE)
+"""Of that, what "on" says that nothing else has the print."""
+_APART = re.compile(r"(?:lining|belt|ribbing|piping)", re.IGNORECASE)
+"""Of that, what has a print of its own where one stands before it, also without "with"."""
 
 
 @dataclass(frozen=True)
@@ -94,7 +101,11 @@ def _said_of(text: str, marks: Sequence[WordMark], k: int) -> list[WordMark]:
         first -= 1  # "with a white polka dot skirt"
     said = _WITH.search(text[: marks[first].start]) is not None
     behind = [m for m in marks[k + 1 :] if category_of(m) != "function"]
-    if behind and _is_part(behind, 0, said) and _BESIDE.fullmatch(text[marks[k].end : behind[0].start]):
+    between = text[marks[k].end : behind[0].start] if behind else ""
+    if behind and (
+        (_is_part(behind, 0, said) and _BESIDE.fullmatch(between))
+        or (_ON.fullmatch(between) and (_is_part(behind, 0, False) or _ALONE.fullmatch(behind[0].word)))
+    ):
         found = [behind[0]]
         for n, mark in enumerate(behind[1:], 1):
             if not (_is_part(behind, n, said) and _JOINED.fullmatch(text[found[-1].end : mark.start])):
@@ -115,4 +126,5 @@ def _is_part(marks: Sequence[WordMark], n: int, said: bool) -> bool:
     if mark.part in PANEL_PARTS:
         return said or mark.part not in _OF_DRESSES
     of_garment = n + 1 < len(marks) and marks[n + 1].role == "garment"  # "a floral ruffle dress"
-    return said and not of_garment and _NO_PANELS.fullmatch(mark.word) is not None
+    apart = said or _APART.fullmatch(mark.word) is not None
+    return apart and not of_garment and _NO_PANELS.fullmatch(mark.word) is not None

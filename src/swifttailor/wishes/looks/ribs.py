@@ -20,7 +20,7 @@ _PART = re.compile(
     r"(?:collar|cuff|hem|neck|waist|band|trim|edge|welt|bündchen|kragen|col|poignet)", re.IGNORECASE
 )
 """What is ribbed alone, where it stands behind the word."""
-_FINE, _COARSE, _CORD = (0.9, 0.6), (1.3, 0.9), (0.9, 0.5)
+_FINE, _COARSE, _CORD = (0.9, 0.6), (1.3, 0.9), (1.5, 0.9)
 """Widths of ribs and of what lies between them, cm."""
 _SHADE, _SHADE_OF_DARK, _DARK = 0.72, 0.5, 90
 """How light the hollows between ribs are beside them, and beside dark ones; which count as dark, 0 to 255."""

@@ -17,6 +17,7 @@ from swifttailor.wishes.outfits.outfit_halves import HALVES, Half, half_named
 from swifttailor.wishes.outfits.outfit_pieces import Pieces, are_asked_for, joined_up, names_of, pieces_of
 from swifttailor.wishes.outfits.parted_text import LayeredText, PartedText
 from swifttailor.wishes.outfits.side_remarks import without_side_remarks
+from swifttailor.wishes.outfits.suits_of_two_colors import parted_by_color
 from swifttailor.wishes.outfits.worn_over import layered_pieces, said_plainly, without_places
 from swifttailor.wishes.text.text_as_read import text_as_read
 from swifttailor.wishes.wearers.wearer_words import hear_wearer
@@ -62,6 +63,7 @@ def two_garments(text: str) -> TwoGarments | None:
     text = _PLUS.sub(lambda found: " with " if "w" in found[0] else " and ", text)
     text = _SUIT_OF.sub(r"\1, ", text)
     text = joined_up(text, read_words(text))
+    text = parted_by_color(text, read_words(text))
     words = read_words(text)
     if _pieces(text, words) is None:
         if not words.unknown:

@@ -104,12 +104,24 @@ def _turned(text: str) -> str:
         return name
 
     text = _NONE_OF.sub(r"no \1", text)
-    text = _without_list_numbers(_CORRECTED.sub("", _WITHDRAWN.sub("", text)))
+    text = _without_list_numbers(_corrected(_WITHDRAWN.sub("", text)))
     text = _ABOUT.sub(r"\1 ", text)
     for short, long in _SHORTENED:
         text = short.sub(long, text)
     text = _FROM.sub(turned, _OF.sub(turned, text))
     return _BODY.sub(r"the \2", _REACHES.sub(r"to the \2", text))
+
+
+def _corrected(text: str) -> str:
+    """The text without what it takes back, but for the garment where that alone is not corrected."""
+    found = _CORRECTED.search(text)
+    if found is None:
+        return text
+    before, behind = found[0], text[found.end() :].strip(" .!")
+    if any(mark.role == "garment" for mark in read_words(behind).marks):
+        return text[found.end() :]
+    named = [mark.word for mark in read_words(before).marks if mark.role == "garment"]
+    return f"{behind} {named[-1]}" if named else text[found.end() :]
 
 
 def _without_list_numbers(text: str) -> str:

@@ -73,6 +73,7 @@ TRIMS_OF: Mapping[str, tuple[str, ...]] = {
     "epaulettes": ("epaulettes",),
     "arm_slits": ("arm slits",),
     "raw_hem": ("rips", *_KNEE_RIPS, "frayed hem"),
+    "lettering": ("chest heart", "chest star"),
 }
 """By key of what cannot be made of panels, which trims can stand for it."""
 _JACKETS = frozenset(
@@ -92,6 +93,8 @@ _JACKETS = frozenset(
 _WRAPS = frozenset({"wrap-dress", "wrap-top", "robe"})
 _HOODED = frozenset({"hoodie", "hooded-coat"})
 _RIBS, _RIBBED = "rib_bands", frozenset({"t-shirt", "tank-top", "sweatshirt"})
+_SECOND = (("side_stripes", "side_stripes", "side stripes"), ("edging", "braid", "edging"))
+"""Parts that a second colour may be put on, what they stand for, and their trims."""
 _KNITS = frozenset({"jersey", "rib-knit", "sweatshirt", "fleece"})
 _SAID_ALONE = frozenset(
     {
@@ -173,6 +176,9 @@ def trims_wanted(heard: Heard, draft: str = "", kind: str = "") -> tuple[TrimWis
             choices = three_as_said(choices, heard.text)
         if choices:
             found.append(TrimWish(lack.what, lack.said, choices, bool(said)))
+    for part, what, name in _SECOND:
+        if heard.looks.second == part and not any(wish.what == what for wish in found):
+            found.append(TrimWish(what, False, ((name,),)))
     if draft in _RIBBED and not any(wish.what == _RIBS for wish in found) and _is_knitted(heard, draft):
         found.append(TrimWish(_RIBS, False, (("neck rib", "armhole ribs"), ("neck rib",), ("armhole ribs",))))
     if draft in _FOR_JACKETS and not any(wish.what == "buttons" for wish in found) and _is_a_jacket(heard):
@@ -309,7 +315,7 @@ def _usual(what: str, kind: str, cloth: str | None, draft: str) -> tuple[tuple[s
         return (("neck cord",),) if draft in _HOODED else (("drawstring",), ("neck cord",))
     if what == "pleats":
         return (("front pleats",),) if kind in _LOWER else ()
-    if what in ("padding", "asymmetric_closing", "fur", "cut_outs", "draped", "rib_bands"):
+    if what in ("padding", "lettering", "asymmetric_closing", "fur", "cut_outs", "draped", "rib_bands"):
         return ()
     return tuple([(name,) for name in TRIMS_OF.get(what, ())])
 

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 _KNITS = frozenset({"jersey", "rib-knit", "sweatshirt", "ponte", "fleece"})
 """Cloths that collars, cuffs and bands usually are of."""
 SIDE_PANELS = "side_panels"
-STRIPES = "side_stripes"
+STRIPES, MOTIF = "side_stripes", "motif"
 """Named by the parts that they run down, whose colour is not meant: "white stripes down the sleeves"."""
 PUT_ON = {
     "buttons": "buttons",
@@ -30,6 +30,7 @@ PUT_ON = {
     "side_stripes": STRIPES,
     "side_panels": SIDE_PANELS,
     "ties": "bow",
+    "lettering": MOTIF,
 }
 """By key of what cannot be made of panels, what is put on for it."""
 _PARTS_OF_WHOLE = {"skirt": "skirt", "trousers": "legs", "shorts": "legs", "top": "bodice", "tunic": "bodice"}

@@ -35,6 +35,9 @@ _SIZELESS = frozenset(["function", "polite", "degrees", "comparisons", "numbers"
 """Categories of words that hold texts together."""
 _MINE = frozenset(["my", "her", "his", "their", "under", "over", "beneath", "underneath", "match"])
 """Words before a garment that is there already."""
+_ONE_MORE = frozenset(["a", "an", "some"])
+"""What between such a word and a garment says that it is to be made: "make her a blue dress"."""
+_OWNERS = frozenset(["her", "his", "their"])
 _WHOLE = frozenset(["dress", "jumpsuit", "playsuit"])
 _PART_OF = {
     "skirt": _WHOLE,
@@ -250,7 +253,12 @@ def _is_theirs(words: Sequence[Meaning], k: int) -> bool:
     before = words[max(0, k - 3) : k]
     wanted = [j for j, w in enumerate(before, 1) if w.found.word in _WANTED]
     before = before[max(wanted, default=0) :]
-    return any(w.found.word in _MINE and w.found.gap in ("space", "hyphen") for w in before)
+    return any(
+        w.found.word in _MINE
+        and w.found.gap in ("space", "hyphen")
+        and not (w.found.word in _OWNERS and any(b.found.word in _ONE_MORE for b in before[n + 1 :]))
+        for n, w in enumerate(before)
+    )
 
 
 def _said_of(

@@ -15,6 +15,7 @@ from swifttailor.wording.lexicon.colors import NamedColor, named_colors
 from swifttailor.wording.lexicon.entries import Entry
 from swifttailor.wording.lexicon.inflection import Language
 from swifttailor.wording.lexicon.look_words import (
+    MOTIF,
     PUT_ON,
     SIDE_PANELS,
     STRIPES,
@@ -31,6 +32,7 @@ from swifttailor.wording.lexicon.look_words import (
     put_on,
 )
 from swifttailor.wording.lexicon.said_blocks import BLOCKS, blocks_named, own_colors, second_color
+from swifttailor.wording.lexicon.said_sides import with_sides
 from swifttailor.wording.lexicon.vocabulary import vocabulary
 
 if TYPE_CHECKING:
@@ -106,7 +108,13 @@ def said_looks(text: str, marks: Sequence[WordMark], language: Language) -> tupl
         found += reader.by_name(k)
         if is_look(mark) or is_cloth(mark):
             found += reader.of_word(k)
-    return tuple(_with_blocks(found, marks))
+    return tuple(_with_blocks(with_sides(text, found, _of_no_part(found, marks)), marks))
+
+
+def _of_no_part(found: Sequence[SaidLook], marks: Sequence[WordMark]) -> list[SaidLook]:
+    """The colours that are said of no part."""
+    colors = [_color(marks, k) for k in range(len(marks))]
+    return [SaidLook("", "", colors[k], None, True, (marks[k],)) for k in own_colors(marks, found, colors)]
 
 
 def _with_blocks(found: list[SaidLook], marks: Sequence[WordMark]) -> list[SaidLook]:
@@ -383,7 +391,7 @@ class _Reader:
             apart = mark.role in ("second", "theirs") and not is_outfit(mark)
             return part_of_garment(mark) or ("" if apart else None)
         over = put_on(mark)
-        return over if over in (STRIPES, SIDE_PANELS) else mark.part or over or ""
+        return over if over in (STRIPES, SIDE_PANELS, MOTIF) else mark.part or over or ""
 
     def _is_apart(self, j: int) -> bool:
         first, _, more = self._marks[j].word.lower().partition(" ")
