@@ -104,6 +104,12 @@ TRIMMED = {
     "flapper dress": ("drop-waist-dress", ("hem fringe", "neck cord")),
     "heart tee": ("t-shirt", ("chest heart",)),
     "star hoodie": ("hoodie", ("chest star",)),
+    "pleated blouse": ("shirt", ("pleated front", "back pleat")),
+    "pressed blouse": ("shirt", ("fine pleats",)),
+    "blouse pleated at the neck": ("t-shirt", ("neck pleats", "sleeve petals")),
+    "blouse pleated at the shoulders": ("t-shirt", ("shoulder pleats",)),
+    "blouse gathered at the neck": ("t-shirt", ("neck gathers",)),
+    "blouse gathered at the shoulders": ("t-shirt", ("shoulder gathers",)),
 }
 """Name of a draft and what is put on it: between them all trims that there are."""
 

@@ -6,7 +6,7 @@ import pytest
 
 from swifttailor.describing.claims import Claim
 from swifttailor.pattern.drafts.draft_names import NamedDraft
-from swifttailor.wishes.drafts.close_wraps import wrapped_close_as_asked
+from swifttailor.wishes.drafts.close_wraps import roomy_wrap_as_asked, wrapped_close_as_asked
 
 
 @pytest.mark.parametrize(
@@ -24,3 +24,17 @@ from swifttailor.wishes.drafts.close_wraps import wrapped_close_as_asked
 def test_less_room_is_drafted_and_not_cut(draft, claims, options):
     asked = [Claim(name, value) for name, value in claims]
     assert dict(wrapped_close_as_asked(NamedDraft.parse(draft), asked).options) == options
+
+
+@pytest.mark.parametrize(
+    ("name", "claims", "never", "roomy"),
+    [
+        ("wrap-top", [Claim("fit", "loose")], [], True),
+        ("wrap-top", [], [Claim("fit", "close")], True),
+        ("wrap-top", [Claim("fit", "close")], [], False),
+        ("wrap-dress", [], [Claim("fit", "close")], False),
+    ],
+)
+def test_wrap_tops_have_room_where_close_ones_are_refused(name, claims, never, roomy):
+    made = roomy_wrap_as_asked(NamedDraft(name), claims, never)
+    assert ("chest_ease" in dict(made.options)) is roomy

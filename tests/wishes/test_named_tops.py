@@ -31,6 +31,18 @@ def heard():
         ("cowl neck top", "cowl folds"),
         ("an emerald cami with a cowl neck", "cowl folds"),
         ("chemise", "lace trim"),
+        ("white blouse with a pleated front", "pleated front"),
+        ("a pleated blouse", "pleated front"),
+        ("blouse with pleats at the neckline", "neck pleats"),
+        ("a bit of pleating below the shoulders of a blouse", "shoulder pleats"),
+        ("shirt with a box pleat at the back", "back pleat"),
+        ("plissé top", "fine pleats"),
+        ("top gathered at the neck", "neck gathers"),
+        ("blouse with gathers at the shoulders", "shoulder gathers"),
+        ("tulip sleeve top", "sleeve petals"),
+        ("wrap blouse", "tie belt"),
+        ("shirt with a tie at the waist", "tie belt"),
+        ("white crop shirt knotted at the waist", "waist bow"),
     ],
 )
 def test_has_what_it_is_known_by(heard, text, trim):
@@ -39,7 +51,13 @@ def test_has_what_it_is_known_by(heard, text, trim):
 
 @pytest.mark.parametrize(
     ("text", "trim"),
-    [("a black lace teddy", "lace trim"), ("a draped dress", "cowl folds"), ("T shirt", "narrow bands")],
+    [
+        ("a black lace teddy", "lace trim"),
+        ("a draped dress", "cowl folds"),
+        ("T shirt", "narrow bands"),
+        ("a pleated skirt", "pleated front"),
+        ("a blouse with pleated sleeves", "pleated front"),
+    ],
 )
 def test_others_have_not(heard, text, trim):
     assert not any(trim in choice for wish in trims_wanted(heard(text)) for choice in wish.choices)
@@ -55,6 +73,13 @@ def test_others_have_not(heard, text, trim):
         ("green cropped cardigan with buttons", "cardigan", {"opening": 0.0}),
         ("black thong", "briefs", {"seat": 0.1}),
         ("smock blouse", "t-shirt", {"chest_ease": 24.0}),
+        ("tulip skirt", "wrap-skirt", {"petals": 4.0}),
+        ("a black skirt, tulip shaped", "wrap-skirt", {"petals": 4.0}),
+        ("skirt with overlapping front panels", "wrap-skirt", {}),
+        ("a top that overlaps in front", "wrap-top", {}),
+        ("red tartan kilt skirt", "pleated-skirt", {"apron": True}),
+        ("grey box pleat skirt", "pleated-skirt", {"strips": 4.0}),
+        ("kaftan top", "t-shirt", {"armhole": "cut-in-one"}),
         ("cream peasant blouse with short sleeves", "t-shirt", {"sleeve_shape": "balloon"}),
         ("black jumpsuit with tuxedo lapels", "jumpsuit", {"collar": "revers"}),
     ],

@@ -57,6 +57,16 @@ _IN_ANOTHER: Mapping[str, tuple[str, str]] = {
     "chest star": ("#f0c94a", "#e2a92c"),
 }
 """What is of another colour than the cloth, where none is told: on darker cloth, and on light cloth."""
+_SOFT = (
+    "pleated front",
+    "fine pleats",
+    "neck pleats",
+    "shoulder pleats",
+    "back pleat",
+    "neck gathers",
+    "shoulder gathers",
+)
+"""Folds of the cloth itself, which are shades and no stitches."""
 _UNDYED, _PALE = "#f1efe9", 0.62
 """Threads inside of cloth, and how much of their colour shows where it is worn."""
 _RIBS = ("neck rib", "armhole ribs", "hem rib")
@@ -104,6 +114,8 @@ def trim_color(
         return (1.0 - _PALE) * cloth + _PALE * to_linear(_UNDYED)
     if look == "cloth":
         return (0.84 if trim in _RIBS else 0.94) * cloth
+    if look == "dark" and trim in _SOFT:
+        return (0.52 if float(cloth @ GREY) >= DARK else 1.8) * cloth
     if look == "dark":
         return (0.30 if float(cloth @ GREY) >= DARK else 2.2) * cloth
     if look == "button":

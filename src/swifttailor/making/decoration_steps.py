@@ -149,6 +149,47 @@ _OTHERS: Mapping[str, tuple[str, str]] = {
         "Cut the fronts 0.6 cm wider for each marked line. Fold the cloth on each line, sew 0.3 cm beside "
         "the fold, and press all folds towards the armholes.",
     ),
+    "pleated front": (
+        "Pleats down the front",
+        "Cut the fronts 3 cm wider for each marked line, fold the cloth on it towards the side by half of "
+        "that, press the folds from end to end, and baste them above and below.",
+    ),
+    "fine pleats": (
+        "Narrow pleats",
+        "Have the cloth pleated before it is cut, or cut the panels twice as wide, fold 0.7 cm on each "
+        "marked line, press the folds, and baste them above and below.",
+    ),
+    "neck pleats": (
+        "Pleats below the neck",
+        "Spread the front along the marked lines, 2 cm at the neckline for each, lay this in folds "
+        "towards the middle, and baste them to the length that the neckline had.",
+    ),
+    "shoulder pleats": (
+        "Pleats below the shoulders",
+        "Spread the fronts along the marked lines, 2 cm at the shoulder for each, lay this in folds "
+        "towards the neck, and baste them to the length of the seam.",
+    ),
+    "back pleat": (
+        "Pleat in the back",
+        "Cut the back 8 cm wider in the middle, fold both marked lines to the middle behind it, and baste "
+        "the pleat at its upper end.",
+    ),
+    "neck gathers": (
+        "Gathers below the neck",
+        "Spread the front along the marked lines, 1.5 cm at the neckline for each, and gather this to the "
+        "length that it had.",
+    ),
+    "shoulder gathers": (
+        "Gathers below the shoulders",
+        "Spread the fronts along the marked lines, 1.5 cm at the shoulder for each, and gather these "
+        "edges to the length of the seam.",
+    ),
+    "sleeve petals": (
+        "Petal sleeves",
+        "Cut each sleeve in two halves that reach 5 cm beyond the seam on top, along the marked edge and "
+        "its mirror image, finish these edges and the hems, lay the halves over each other, and baste "
+        "them at the armhole.",
+    ),
     "reflecting bands": (
         "Reflecting bands",
         "Lay reflecting tape of 5 cm on the marks, and topstitch both of its edges before the side seams are "

@@ -53,6 +53,11 @@ _LINES: Mapping[str, str] = {
     "creases": "pressed crease",
     "pleat lines": "edge of a pleat",
     "front pleats": "edge of a pleat",
+    **dict.fromkeys(("neck gathers", "shoulder gathers"), "gathers"),
+    "sleeve petals": "edge of the upper half",
+    **dict.fromkeys(
+        ("pleated front", "fine pleats", "neck pleats", "shoulder pleats", "back pleat"), "fold of a pleat"
+    ),
     "diagonal closing": "piping",
     "shoulder drape": "fold",
     "draped folds": "fold",

@@ -135,6 +135,14 @@ SHOULD_HAVE = {
     "toggles": ("hooded-coat", "coat", "turtleneck", "cardigan"),
     "chest heart": ("t-shirt", "sweatshirt", "hoodie", "tank-top", "t-shirt", "shift-dress"),
     "chest star": ("t-shirt", "sweatshirt", "hoodie", "tank-top", "turtleneck"),
+    "pleated front": ("shirt", "t-shirt", "turtleneck", "fitted-dress", "tank-top"),
+    "fine pleats": ("shirt", "t-shirt", "turtleneck", "tank-top", "shift-dress"),
+    "neck pleats": ("shirt", "t-shirt", "turtleneck", "fitted-dress", "tank-top"),
+    "shoulder pleats": ("shirt", "t-shirt", "turtleneck"),
+    "back pleat": ("shirt", "t-shirt", "blazer"),
+    "sleeve petals": ("t-shirt", "coat", "turtleneck"),
+    "neck gathers": ("shirt", "t-shirt", "turtleneck", "fitted-dress", "tank-top"),
+    "shoulder gathers": ("shirt", "t-shirt", "turtleneck", "shift-dress"),
 }
 CHILDREN = (60.0, 92.0, 110.0, 128.0, 152.0)
 SOME = tuple(info for info in list_drafts() if info.name not in ("gored-skirt", "pleated-skirt"))
@@ -178,6 +186,9 @@ def test_has_its_place_on_the_drafts_that_should_have_it(name, drafts):
         ("elbow patches", "t-shirt"), ("elbow patches", "tank-top"),
         ("princess seams", "trousers"),
         ("waist frill", "skater-dress"), ("yoke", "bustier"),
+        ("pleated front", "fitted-skirt"), ("fine pleats", "jeans"), ("neck pleats", "bustier"),
+        ("shoulder pleats", "camisole"), ("back pleat", "fitted-skirt"), ("sleeve petals", "tank-top"),
+        ("sleeve petals", "shirt"), ("neck gathers", "bandeau"), ("shoulder gathers", "camisole"),
     ],
 )  # fmt: skip
 def test_has_none_on_others(name, draft_name, drafts):
@@ -186,7 +197,20 @@ def test_has_none_on_others(name, draft_name, drafts):
     assert place_trims(replace(pattern, trims=(name,))) == ()
 
 
-@pytest.mark.parametrize("name", ["smocking", "ruching", "tucks", "princess seams", "yoke"])
+@pytest.mark.parametrize(
+    "name",
+    [
+        "smocking",
+        "ruching",
+        "tucks",
+        "princess seams",
+        "yoke",
+        "pleated front",
+        "fine pleats",
+        "neck pleats",
+        "neck gathers",
+    ],
+)
 def test_lines_of_what_is_alike_on_both_sides_are_alike(name, drafts):
     pattern = replace(drafts["fitted-dress"], trims=(name,))
     trims = place_trims(pattern)

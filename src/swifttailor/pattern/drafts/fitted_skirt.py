@@ -10,6 +10,7 @@ from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure, Halves
 from swifttailor.pattern.drafts.joins import sew_sides
 from swifttailor.pattern.drafts.outline import Outline, Side
+from swifttailor.pattern.drafts.petal_fronts import LEAST_CM, petal_fronts
 from swifttailor.pattern.drafts.suppression import dart_places, suppress, waist_darts
 from swifttailor.pattern.names import UNDER_FRONT
 
@@ -40,6 +41,8 @@ class Overlap:
     """Where the edge of the upper one meets the hem, likewise."""
     under: float
     """By how much further to the wearer's right the lower one reaches there, cm."""
+    petals: float = 0.0
+    """How high above the hem they part like petals in the middle, cm; then the last two say nothing."""
 
 
 @dataclass(frozen=True)
@@ -161,6 +164,8 @@ def overlapping(front: Outline, shape: Overlap) -> tuple[Outline, Outline]:
     hem = front.sides[-1]
     half = abs(hem.end[0])
     at, outer, inner = _parted_at(front, shape.aside)
+    if shape.petals >= LEAST_CM:
+        return petal_fronts(front, at, outer, inner, shape.petals)
     begins = inner.start
     steepest = [
         (begins[0] - x - _BESIDE_DART) / (begins[1] - y)

@@ -19,7 +19,9 @@ def belt(chalk: Chalk, name: str) -> list[Trim]:
         return []
     skirted = "skirt_front" in chalk.views or "pant_f_l" in chalk.views
     least = -1.0 if skirted else 10.0 * chalk.size  # on what ends above it a belt would hang in the air
-    if has_torso and chalk.views["left_ftorso"].low > chalk.waist - least:
+    # Of crossed fronts one alone reaches below the waist.
+    low = min([view.low for panel, view in chalk.views.items() if panel.endswith("_ftorso")], default=0.0)
+    if has_torso and low > chalk.waist - least:
         return []
     width = 3.5 * chalk.size if not has_torso else 4.5 * chalk.size
     return [Belt(name, chalk.waist, width, _SLIPS * chalk.size if has_torso else 0.0)]

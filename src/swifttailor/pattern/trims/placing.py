@@ -19,6 +19,7 @@ from swifttailor.pattern.trims import (
     quilting,
     ruching,
     seam_lines,
+    top_pleats,
 )
 from swifttailor.pattern.trims.arm_slits import arm_slits
 from swifttailor.pattern.trims.boning import boning
@@ -31,6 +32,7 @@ from swifttailor.pattern.trims.epaulettes import epaulettes
 from swifttailor.pattern.trims.fur_edges import fur_trim, neck_fur, sleeve_fur
 from swifttailor.pattern.trims.keyholes import keyhole
 from swifttailor.pattern.trims.knee_patches import knee_patches
+from swifttailor.pattern.trims.petal_sleeves import sleeve_petals
 from swifttailor.pattern.trims.reflecting_bands import reflecting_bands
 from swifttailor.pattern.trims.rips import frayed_hem, rips
 from swifttailor.pattern.trims.shapes import Trim
@@ -152,6 +154,14 @@ _PLACES: Mapping[str, Callable[[Chalk, str], list[Trim]]] = {
     "toggles": toggles,
     "chest heart": chest_heart,
     "chest star": chest_star,
+    "pleated front": top_pleats.pleated_front,
+    "fine pleats": top_pleats.fine_pleats,
+    "neck pleats": top_pleats.neck_pleats,
+    "shoulder pleats": top_pleats.shoulder_pleats,
+    "back pleat": top_pleats.back_pleat,
+    "sleeve petals": sleeve_petals,
+    "neck gathers": top_pleats.neck_gathers,
+    "shoulder gathers": top_pleats.shoulder_gathers,
 }
 """How each of `names.TRIMS` is marked."""
 

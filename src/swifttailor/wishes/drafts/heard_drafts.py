@@ -14,7 +14,7 @@ from swifttailor.wishes.drafts.asked_hems import hem_as_asked
 from swifttailor.wishes.drafts.bubble_hems import bubble_as_asked
 from swifttailor.wishes.drafts.clinging_drafts import STRETCH, clinging_as_asked
 from swifttailor.wishes.drafts.close_skirts import close_skirt_as_asked
-from swifttailor.wishes.drafts.close_wraps import wrapped_close_as_asked
+from swifttailor.wishes.drafts.close_wraps import roomy_wrap_as_asked, wrapped_close_as_asked
 from swifttailor.wishes.drafts.drafts_as_asked import draft_as_asked
 from swifttailor.wishes.drafts.drafts_of_names import covers, draft_of_kind, draft_of_name
 from swifttailor.wishes.drafts.godets_as_asked import godets_as_asked
@@ -106,7 +106,7 @@ def drafts_of(heard: Heard) -> tuple[NamedDraft, ...]:
     if _clings(heard) and not is_to_be_loose(sure):
         named = _named_skirts(heard, sure)
         fitting = [clinging_as_asked(draft, [*sure, *named]) for draft in fitting]
-    fitting = [loosened_as_asked(draft, sure) for draft in fitting]
+    fitting = [loosened_as_asked(roomy_wrap_as_asked(d, sure, heard.never), sure) for d in fitting]
     long = is_long_top(heard)
     fitting = [straight_as_said(to_the_legs_as_said(d, heard.text, long=long), heard.text) for d in fitting]
     fitting = [low_as_asked(draft, sure) for draft in gored_as_said(fitting, heard.text)]

@@ -26,6 +26,8 @@ _LOW = (
 )
 _SIDES = r"(?:(?:at|in|on) the sides?|side seams?|in den seitennähten|sur les côtés|a los lados)(?!\w)"
 _FRONT = r"(?:front|middle|centre|center|tummy|belly|stomach|vorne|vorn|bauch|devant|ventre|delante)(?!\w)"
+_NECK = r"(?:neck(?:line)?|collar|hals|ausschnitt|encolure|col|cuello|escote)(?!\w)"
+_SHOULDERS = r"(?:shoulders?|yoke|schultern?|passe|épaules?|empiècement|hombros?|canesú)(?!\w)"
 _HIGH = (
     r"(?:half ?-?way(?: down)?|(?:down )?to (?:the |my |mid )?(?:chest|bust|breast ?bone)|bis zur brust"
     r"|jusqu['’ ]à la poitrine|hasta el pecho)(?!\w)"
@@ -39,6 +41,7 @@ _NOUNS: Mapping[str, str] = {
     "pockets": r"pockets?|taschen?|poches?|bolsillos?",
     "buttons": r"button(?:s|ed|ing)?(?: up| down| through)?|knöpfen?|geknöpft|boutons|boutonnée?|botones",
     "zip": r"zips?|zippers?|rei(?:ß|ss)verschluss|fermeture(?: éclair)?|cremallera",
+    "pleats": r"pleat(?:s|ing|ed)?|falten?|plis|pliegues",
     "elastic": r"elastic|elasticated|gummizug|gummi|élastique|elástico",
 }
 """Words of what is put on, by key of what no panel is cut for."""
@@ -90,6 +93,12 @@ def _places(draft: str) -> Mapping[str, tuple[_Place, ...]]:
             _Place(_SIDES, ("side zip",), ("side zip",)),
             _Place(_FRONT, ("zip",), ("zip",), ("fly",)),
         ),
+        "pleats": (
+            _Place(_NECK, ("neck pleats",), ("neck pleats",), ()),
+            _Place(_SHOULDERS, ("shoulder pleats",), ("shoulder pleats",), ()),
+            _Place(_BACK, ("back pleat",), ("back pleat",), ()),
+            _Place(_FRONT, ("pleated front",), ("pleated front",), ("front pleats",)),
+        ),
         "elastic": (_Place(_BACK, ("back elastic",), ("back elastic",)),),
     }
 
@@ -99,7 +108,7 @@ def trims_by_place(text: str, what: str, *, kind: str = "", draft: str = "") -> 
 
     Args:
         text: All of it.
-        what: "pockets", "buttons", "zip" or "elastic"; of others nothing is told.
+        what: "pockets", "buttons", "zip", "pleats" or "elastic"; of others nothing is told.
         kind: Of the garment.
         draft: That it is cut from.
     """

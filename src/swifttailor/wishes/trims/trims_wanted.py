@@ -20,6 +20,7 @@ _POCKETS = tuple(name for name in TRIMS if "pocket" in name)
 _BUTTONS = tuple(name for name in LIKE_EACH_OTHER[0] if "zip" not in name and name != "toggles")
 _ZIPS = ("zip", "half zip", "back zip", "side zip", "fly", "asymmetric zip")
 _BELTS = ("tie belt", "buckle belt")
+_TOP_PLEATS = ("pleated front", "fine pleats", "neck pleats", "shoulder pleats", "back pleat")
 _KNEE_RIPS = ("knee rips", "left knee rip", "right knee rip")
 _FRILLS = ("neck frill", "sleeve frills", "hem frill", "front frills", "yoke frill")
 TRIMS_OF: Mapping[str, tuple[str, ...]] = {
@@ -50,10 +51,12 @@ TRIMS_OF: Mapping[str, tuple[str, ...]] = {
     "apron": ("apron",),
     "creases": ("creases",),
     "stirrups": ("stirrups",),
-    "pleats": ("front pleats", "pleat lines"),
+    "pleats": ("front pleats", "pleat lines", *_TOP_PLEATS),
     "open_back": ("back ties", "back buttons", "back lacing"),
     "back_lacing": ("back lacing",),
     "asymmetric_closing": ("diagonal closing", "asymmetric zip"),
+    "tulip_sleeves": ("sleeve petals",),
+    "gathers": ("neck gathers", "shoulder gathers"),
     "reflective": ("reflecting bands",),
     "storm_flap": ("storm flap",),
     "smocking": ("smocking",),
@@ -172,6 +175,8 @@ def trims_wanted(heard: Heard, draft: str = "", kind: str = "") -> tuple[TrimWis
             alone = sorted(said or own, key=lambda name: name not in own)
             instead = [(name,) for names in placed for name in names[1:]]
             choices = (said or own, *[(name,) for name in alone], *instead, *choices)
+        if lack.what == "belt" and "tie belt" in said:  # what ends at the waist is tied there
+            choices = (*choices, ("waist bow",))
         if lack.what == "side_stripes":
             choices = three_as_said(choices, heard.text)
         if choices:
@@ -314,7 +319,8 @@ def _usual(what: str, kind: str, cloth: str | None, draft: str) -> tuple[tuple[s
     if what == "drawstring":
         return (("neck cord",),) if draft in _HOODED else (("drawstring",), ("neck cord",))
     if what == "pleats":
-        return (("front pleats",),) if kind in _LOWER else ()
+        pleated = "front pleats" if kind in _LOWER else "pleated front"
+        return ((pleated,),) if kind in (*_LOWER, "top", "tunic") else ()
     if what in ("padding", "lettering", "asymmetric_closing", "fur", "cut_outs", "draped", "rib_bands"):
         return ()
     return tuple([(name,) for name in TRIMS_OF.get(what, ())])

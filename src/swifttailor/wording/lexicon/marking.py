@@ -196,7 +196,10 @@ def _senses(parts: list[str], vocabularies: Sequence[Vocabulary]) -> tuple[Sense
 
 
 def _as_one(tokens: Sequence[Token], k: int, vocabularies: Sequence[Vocabulary]) -> tuple[Sense, ...]:
-    """The meanings of two words that the tables write as one."""
+    """The meanings of two words that the tables write as one.
+
+    What is worn beside a garment is none of them where both are known: "high neck lace blouse".
+    """
     if k + 1 >= len(tokens) or tokens[k].gap not in ("space", "hyphen"):
         return ()
     first, second = tokens[k].word, tokens[k + 1].word
@@ -204,6 +207,8 @@ def _as_one(tokens: Sequence[Token], k: int, vocabularies: Sequence[Vocabulary])
         return ()
     for known in vocabularies:
         senses = known.find([first + second])
+        if senses and known.find([first]) and known.find([second]):
+            senses = tuple([sense for sense in senses if sense.entry.category != "accessories"])
         if senses:
             return senses
     return ()

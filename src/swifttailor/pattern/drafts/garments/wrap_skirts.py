@@ -37,6 +37,16 @@ Round = Annotated[
         0.75,
     ),
 ]
+Petals = Annotated[
+    float,
+    Option(
+        "How high above the hem the fronts part in the middle, their edges curved like petals; less than 3, "
+        "or cut from a part of a circle: straight.",
+        "cm",
+        0.0,
+        12.0,
+    ),
+]
 _ROUND_FROM, _LEAST_FALL_CM = 0.3, 15.0
 """What is less of a circle is cut with darts; how long what hangs from the waistband is at least, cm."""
 
@@ -54,6 +64,7 @@ class WrapSkirtOptions:
     band_height: declared.BandHeight = 4.0
     waist_ease: declared.BandEase = 0.0
     fraction: Round = 0.0
+    petals: Petals = 0.0
 
 
 def draft_wrap_skirt(options: WrapSkirtOptions, measurements: Measurements) -> Pattern:
@@ -84,8 +95,11 @@ def _wound(name: str, options: WrapSkirtOptions | SarongOptions, measurements: M
     figure = Figure.of(measurements)
     table = CuttingTable(name)
     lower = lay_body_waist_band(table, figure, options.band_height, options.waist_ease)
-    overlap = Overlap(options.overlap_aside, options.overlap_edge, options.overlap_under)
-    fraction = options.fraction if isinstance(options, WrapSkirtOptions) else 0.0
+    fraction, petals = 0.0, 0.0
+    if isinstance(options, WrapSkirtOptions):
+        fraction, petals = options.fraction, options.petals
+    petals = 0.0 if fraction >= _ROUND_FROM else petals  # those of round skirts are too wide to curve away
+    overlap = Overlap(options.overlap_aside, options.overlap_edge, options.overlap_under, petals)
     if fraction >= _ROUND_FROM:
         fall = max(options.length - options.band_height, _LEAST_FALL_CM)
         top_y = figure.waist_y - options.band_height - 3.0
