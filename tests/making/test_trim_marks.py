@@ -47,8 +47,9 @@ NAMES = (
     "working trousers", "jeans torn at the left", "jeans torn at the right",
     "milkmaid dress", "ruched dress", "cowl dress", "cold shoulder top", "cut-out dress", "patched jumper",
     "draped gown", "tucked blouse", "princess dress", "paper bag trousers",
-    "flapper dress", "heart tee", "star hoodie", "pleated blouse", "pressed blouse", "blouse pleated at the neck",
-    "blouse pleated at the shoulders", "blouse gathered at the neck", "blouse gathered at the shoulders",
+    "flapper dress", "heart tee", "star hoodie", "pleated blouse", "pressed blouse",
+    "blouse pleated at the neck", "blouse pleated at the shoulders", "blouse gathered at the neck",
+    "blouse gathered at the shoulders",
 )  # fmt: skip
 
 
