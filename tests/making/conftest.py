@@ -100,6 +100,10 @@ TRIMMED = {
     "tucked blouse": ("shirt", ("yoke",)),
     "princess dress": ("skater-dress", ("princess seams",)),
     "paper bag trousers": ("pull-on-trousers", ("waist frill", "scalloped edge")),
+    "bride's dress": ("strapless-dress", ("train", "overskirt", "cups")),
+    "royal bride's dress": ("strapless-dress", ("long train", "tulle overskirt")),
+    "princess gown": ("strapless-dress", ("tulle layers",)),
+    "caped dress": ("fitted-dress", ("peplum", "back cape")),
     "flapper dress": ("drop-waist-dress", ("hem fringe", "neck cord")),
 }
 """Name of a draft and what is put on it: between them all trims that there are."""

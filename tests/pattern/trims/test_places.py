@@ -124,6 +124,14 @@ SHOULD_HAVE = {
     "yoke": ("shirt", "t-shirt", "fitted-skirt", "circle-skirt", "jeans"),
     "waist frill": ("pull-on-trousers", "trousers", "gathered-skirt", "circle-skirt"),
     "scalloped edge": ("t-shirt", "trousers", "circle-skirt", "peplum-top"),
+    "train": ("strapless-dress", "mermaid-dress", "tiered-skirt"),
+    "long train": ("strapless-dress", "mermaid-dress"),
+    "overskirt": ("strapless-dress", "skater-dress", "fitted-dress", "circle-skirt"),
+    "tulle overskirt": ("strapless-dress", "skater-dress", "fitted-dress", "circle-skirt"),
+    "tulle layers": ("strapless-dress", "skater-dress", "circle-skirt"),
+    "cups": ("bustier", "strapless-dress", "fitted-dress", "skater-dress"),
+    "peplum": ("fitted-dress", "fitted-skirt", "strapless-dress"),
+    "back cape": ("fitted-dress", "skater-dress", "shift-dress"),
 }
 CHILDREN = (60.0, 92.0, 110.0, 128.0, 152.0)
 SOME = tuple(info for info in list_drafts() if info.name not in ("gored-skirt", "pleated-skirt"))
@@ -167,6 +175,9 @@ def test_has_its_place_on_the_drafts_that_should_have_it(name, drafts):
         ("elbow patches", "t-shirt"), ("elbow patches", "tank-top"),
         ("princess seams", "trousers"),
         ("waist frill", "skater-dress"), ("yoke", "bustier"),
+        ("train", "skater-dress"), ("long train", "jeans"), ("overskirt", "jumpsuit"),
+        ("tulle layers", "t-shirt"),
+        ("cups", "fitted-skirt"), ("peplum", "t-shirt"), ("back cape", "strapless-dress"),
     ],
 )  # fmt: skip
 def test_has_none_on_others(name, draft_name, drafts):

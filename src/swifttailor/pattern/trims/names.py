@@ -107,6 +107,14 @@ TRIMS: Mapping[str, str] = {
     "yoke": "a yoke",
     "waist frill": "a frill above the waistband",
     "scalloped edge": "arcs along the hem",
+    "train": "a train that lies on the floor behind",
+    "long train": "a long train that lies on the floor behind",
+    "overskirt": "an overskirt that is open in front",
+    "tulle overskirt": "an overskirt of tulle that is open in front",
+    "tulle layers": "layers of tulle over the skirt",
+    "cups": "cups with seams over the bust",
+    "peplum": "a peplum over the hips",
+    "back cape": "a cape that hangs from the shoulders behind",
 }
 """By name, what each is for people. None joins panels, so none changes how a garment is cut or hangs."""
 LIKE_EACH_OTHER = (
@@ -145,6 +153,8 @@ LIKE_EACH_OTHER = (
     ("sleeve stripes", "shoulder cut-outs"),
     ("side panels", "waist cut-outs"),
     ("rips", "knee rips", "left knee rip", "right knee rip", "knee patches"),
+    ("train", "long train"),
+    ("overskirt", "tulle overskirt", "tulle layers", "peplum"),
 )
 """Groups of which a garment has one at most."""
 MOST_BUTTONS = 20

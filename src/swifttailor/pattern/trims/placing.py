@@ -24,12 +24,14 @@ from swifttailor.pattern.trims.arm_slits import arm_slits
 from swifttailor.pattern.trims.boning import boning
 from swifttailor.pattern.trims.chalk import Chalk
 from swifttailor.pattern.trims.cowl import cowl_folds
+from swifttailor.pattern.trims.cups import cups
 from swifttailor.pattern.trims.diagonal_closing import diagonal_closing
 from swifttailor.pattern.trims.elbow_patches import elbow_patches
 from swifttailor.pattern.trims.epaulettes import epaulettes
 from swifttailor.pattern.trims.fur_edges import fur_trim, neck_fur, sleeve_fur
 from swifttailor.pattern.trims.keyholes import keyhole
 from swifttailor.pattern.trims.knee_patches import knee_patches
+from swifttailor.pattern.trims.layers import layer
 from swifttailor.pattern.trims.reflecting_bands import reflecting_bands
 from swifttailor.pattern.trims.rips import frayed_hem, rips
 from swifttailor.pattern.trims.shapes import Trim
@@ -147,6 +149,14 @@ _PLACES: Mapping[str, Callable[[Chalk, str], list[Trim]]] = {
     "yoke": seam_lines.yoke,
     "waist frill": waist_frill,
     "scalloped edge": decorations.scalloped_edge,
+    "train": layer,
+    "long train": layer,
+    "overskirt": layer,
+    "tulle overskirt": layer,
+    "tulle layers": layer,
+    "cups": cups,
+    "peplum": layer,
+    "back cape": layer,
 }
 """How each of `names.TRIMS` is marked."""
 
