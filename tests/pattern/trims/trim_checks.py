@@ -33,7 +33,7 @@ def assert_on_panels(pattern: Pattern, trims: tuple[Trim, ...]) -> None:
             assert 0 < trim.width < 12 and 20 < trim.height < 160, trim
             continue
         if isinstance(trim, Layer):
-            assert pattern.panel_index(trim.panel) >= 0 and 0.0 < trim.low < trim.height - 8.0, trim
+            assert pattern.panel_index(trim.panel) >= 0 and 0.0 < trim.low < trim.height - 3.0, trim
             assert 0.0 < trim.reach <= 180.0 and 0.0 < trim.opacity <= 1.0 and trim.behind >= 0.0, trim
             continue
         if isinstance(trim, Frill | Stirrup):

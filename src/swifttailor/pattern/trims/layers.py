@@ -17,7 +17,8 @@ _BELOW_WAIST = 0.5
 """How far below the seam of the waist the upper edge of a layer lies, cm."""
 _BELOW_SHOULDER = 4.0
 """A cape hangs from so far below the points of the shoulders, cm."""
-_CLEAR_OF_FLOOR = 1.0
+_CLEAR_OF_FLOOR, _LEAST = 1.0, 10.0
+"""How high a layer ends at least, and how long it is, cm."""
 _SKIRTS = ("skirt", "wb_", "ftorso", "btorso", "godet")
 
 
@@ -71,6 +72,8 @@ def layer(chalk: Chalk, name: str) -> list[Trim]:
             return []
         view, height = back, chalk.shoulder - _BELOW_SHOULDER * s
     low = height - cut.long * s if cut.long else max(low, _CLEAR_OF_FLOOR)
+    if height - low < _LEAST * s:  # a child in a pattern that is cut for an adult
+        return []
     return [
         Layer(
             name,
