@@ -56,6 +56,7 @@ FLAT = (
 """What lies on the cloth along its edges; frills, fringe and bows stand off."""
 STAND_OFF = (
     *("neck frill", "sleeve frills", "hem frill", "hem fringe", "neck bow", "waist bow", "shoulder bows"),
+    *("train", "long train", "overskirt", "tulle overskirt", "tulle layers", "peplum", "back cape"),
     *("stirrups", "frayed hem", "back bow", "back ties", "front frills", "waist frill", "scalloped edge"),
 )
 ON_CLOTH, LIFTED = 0.1, (0.1, 0.8)

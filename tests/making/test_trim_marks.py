@@ -28,6 +28,7 @@ from swifttailor.pattern.trims import (
     Bow,
     Button,
     Frill,
+    Layer,
     Patch,
     Stirrup,
     place_trims,
@@ -47,6 +48,7 @@ NAMES = (
     "working trousers", "jeans torn at the left", "jeans torn at the right",
     "milkmaid dress", "ruched dress", "cowl dress", "cold shoulder top", "cut-out dress", "patched jumper",
     "draped gown", "tucked blouse", "princess dress", "paper bag trousers",
+    "bride's dress", "royal bride's dress", "princess gown", "caped dress",
     "flapper dress", "heart tee", "star hoodie", "pleated blouse", "pressed blouse",
     "blouse pleated at the neck", "blouse pleated at the shoulders", "blouse gathered at the neck",
     "blouse gathered at the shoulders",
@@ -79,7 +81,7 @@ def test_marks_lie_where_the_pattern_has_them(trimmed, trimmed_plans, name):
     trims = place_trims(pattern)
     assert {trim.trim for trim in trims} == set(pattern.trims)
     for trim in trims:
-        if isinstance(trim, Belt | Frill | Bow | Stirrup):  # which no mark on a panel tells
+        if isinstance(trim, Belt | Frill | Bow | Layer | Stirrup):  # which no mark on a panel tells
             continue
         marks = [m for m in plan.piece_of(trim.panel).marks if m.trim == trim.trim and trim.panel in m.panels]
         if isinstance(trim, Button):

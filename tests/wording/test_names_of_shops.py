@@ -47,7 +47,7 @@ Sabrina dress            : kind=dress neckline=boat
 cowl neck dress          : kind=dress straps=narrow sleeves=none neck_depth=low
 bias cut dress           : kind=dress straps=narrow skirt_hem=midi
 cape gown                : kind=dress skirt_hem=floor
-tulle gown               : kind=dress skirt_hem=floor skirt=gathered
+tulle gown               : kind=dress skirt_hem=floor skirt=circle
 coquette dress           : kind=dress skirt_hem=mini sleeve_shape=puffed
 Wednesday Addams dress   : kind=dress sleeves=long collar=lapel
 apron dress              : kind=dress sleeves=none

@@ -82,7 +82,7 @@ def cloth_surface(
     if tint_panels:
         right = base * _tints(garment)[garment.mesh.face_panel][:, None]
     printed = garment.print if color is None else None
-    inside, is_black = _inside(base, printed)
+    inside, is_black = inside_of(base, printed)
     dark = np.full(len(garment.pattern.panels), is_black)
     drawn = _lines(garment, dark, seen_on_dark) if lines else ()
     return _surface(garment, garment.faces, right, inside, drawn, printed, None)
@@ -103,9 +103,9 @@ def cloth_surfaces(garment: Garment, color: Color | None = None) -> list[SeenClo
     looks = looks_of_panels(garment)
     own = garment.color or cloth_color(garment.pattern)
     base = np.array([np.maximum(to_linear(look.color or own), DARKEST) for look in looks])
-    prints = [_print_of(garment, look, look.color or own) for look in looks]
+    prints = [print_of(garment, look, look.color or own) for look in looks]
     kinds = [(printed, look.opacity, look.lace) for printed, look in zip(prints, looks, strict=True)]
-    insides = [_inside(*pair) for pair in zip(base, prints, strict=True)]
+    insides = [inside_of(*pair) for pair in zip(base, prints, strict=True)]
     wrong, dark = np.array([inside for inside, _ in insides]), np.array([is_black for _, is_black in insides])
     right = base * _tints(garment)[:, None]
     order = [k for k, kind in enumerate(kinds) if kinds.index(kind) == k]
@@ -145,7 +145,7 @@ def _both_sides(seen: SeenCloth, printed: ClothPrint | None) -> list[SeenCloth]:
     return [replace(seen, surface=replace(front, back_color=None)), replace(seen, surface=behind)]
 
 
-def _print_of(garment: Garment, look: PanelLook, color: str) -> ClothPrint | None:
+def print_of(garment: Garment, look: PanelLook, color: str) -> ClothPrint | None:
     """What is printed on a panel: what is on the garment, unless it has a colour or cloth of its own."""
     if look.lace:
         from swifttailor.garment.lace import lined_lace
@@ -160,7 +160,7 @@ def _tints(garment: Garment) -> Array:
     return 0.97 + 0.06 * ((np.arange(len(garment.pattern.panels)) * 0.618034) % 1.0)
 
 
-def _inside(base: Array, printed: ClothPrint | None) -> tuple[Array, bool]:
+def inside_of(base: Array, printed: ClothPrint | None) -> tuple[Array, bool]:
     """The wrong side (3,) of cloth of a colour (3,) or print, linear light; and whether seams are lighter."""
     if printed is not None:
         base = np.maximum(_wrong_side(printed), DARKEST)
@@ -211,7 +211,7 @@ def _surface(
 ) -> Surface:
     """The surface of some faces (m, 3); `shown` (f,) tells them among the garment's, None: all of them."""
     at = None if printed is None else cloth_at(garment, as_worn=printed is garment.print)
-    metal = printed is None and garment.color in _METALS and garment.cloth not in _MATT
+    sheen, gloss = shine_of(garment, printed)
     return Surface(
         garment.vertices,
         faces,
@@ -219,11 +219,18 @@ def _surface(
         inside,
         lines=lines,
         lift=0.35,
-        sheen=_METAL_SHEEN if metal else _SHEEN.get(garment.cloth or "", 0.10),
-        gloss=_METAL_GLOSS if metal else _GLOSS.get(garment.cloth or "", 0.0),
+        sheen=sheen,
+        gloss=gloss,
         print=None if printed is None else printed.drawn(),
         print_at=at if at is None or shown is None else at[shown],
     )
+
+
+def shine_of(garment: Garment, printed: ClothPrint | None) -> tuple[float, float]:
+    """Sheen and gloss of a garment's cloth."""
+    if printed is None and garment.color in _METALS and garment.cloth not in _MATT:
+        return _METAL_SHEEN, _METAL_GLOSS
+    return _SHEEN.get(garment.cloth or "", 0.10), _GLOSS.get(garment.cloth or "", 0.0)
 
 
 def _wrong_side(printed: ClothPrint) -> Array:

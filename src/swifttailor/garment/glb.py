@@ -120,7 +120,7 @@ def glb_bytes(mesh: TriangleMesh) -> bytes:
         nodes.append({"name": part.name, "mesh": len(meshes), "extras": {"role": "trim"}})
         primitive = _smooth(buffer, part.vertices, part.faces) | {"material": len(materials)}
         meshes.append({"name": part.name, "primitives": [primitive]})
-        materials.append(_material(part.name, to_linear(part.color), _ROUGHNESS))
+        materials.append(_material(part.name, to_linear(part.color), _ROUGHNESS, part.opacity))
     if mesh.print is not None:
         surface = materials[0]["pbrMetallicRoughness"]
         surface["baseColorFactor"] = [1.0, 1.0, 1.0, 1.0]

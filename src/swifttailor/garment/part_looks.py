@@ -23,6 +23,8 @@ if TYPE_CHECKING:
 
 BLOCKS = "blocks"
 """What is in the second of two colours, whichever panels that is."""
+LAYERED = "tulle layers"
+"""A trim below which a skirt is opaque, whatever it is of."""
 LOOKS = "looks"
 """What a report calls them."""
 OPACITIES: Mapping[str, float] = {
@@ -190,6 +192,9 @@ def looks_of_panels(garment: Garment) -> tuple[PanelLook, ...]:
     for look in sorted(garment.looks, key=lambda look: PARTS.index(look.part)):
         for name in panels_of(pattern, look.part):
             found[name] = _over(found[name], look)
+    if LAYERED in pattern.trims:
+        for name in panels_of(pattern, "skirt"):
+            found[name] = replace(found[name], opacity=1.0)
     own = garment.color or cloth_color(pattern)
     return tuple([_as_dyed(look, look.color or own) for look in found.values()])
 

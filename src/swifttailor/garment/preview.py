@@ -12,9 +12,11 @@ from swifttailor.body.mannequin import mannequin
 from swifttailor.compiled_loop import CompiledLoop
 from swifttailor.garment.cloth_print import CUSHIONS
 from swifttailor.garment.cloth_surfaces import ON_DARK, cloth_surfaces
+from swifttailor.garment.layer_surfaces import layer_surfaces
 from swifttailor.garment.part_looks import color_of_panel
 from swifttailor.garment.sheer_figure import SheerFigure
 from swifttailor.garment.trim_colors import is_dark, trim_color
+from swifttailor.pattern.trims.layers import LAYERS
 from swifttailor.pattern.trims.quilting import QUILTING
 from swifttailor.render.backdrop import wall
 from swifttailor.render.color import BACKGROUND, BODY, Color, encode_srgb, to_linear
@@ -46,6 +48,8 @@ def trim_surfaces(garment: Garment, color: Color | None = None) -> list[Surface]
 
     surfaces = []
     for mesh in trim_meshes(garment):
+        if mesh.trim in LAYERS:
+            continue  # cloth, see `layer_surfaces`
         look = trim_color(garment, mesh.look, color, trim=mesh.trim, panel=mesh.panel)
         strength = ON_DARK if is_dark(trim_color(garment, "cloth", color)) else 0.5
         lines = (LineSet(mesh.lines, strength=strength, width=1.1),) if len(mesh.lines) else ()
@@ -120,7 +124,8 @@ def draw_preview(
     Returns:
         (height, width, 3) uint8 sRGB.
     """
-    cloth = cloth_surfaces(garment, color)
+    layers = layer_surfaces(garment, color)
+    cloth = [*cloth_surfaces(garment, color), *layers]
     others = trim_surfaces(garment, color)
     if body is not None:
         others.insert(0, body_surface(body, cloth=garment.vertices))
@@ -132,7 +137,8 @@ def draw_preview(
         scene = Scene([*first, *[part.surface for part in cloth], *others[len(first) :]])
         draw = partial(draw_figure, scene)
     picture = wall(size, to_linear(background))
-    for view in frame_views(garment.vertices, None if body is None else body.vertices, size):
+    shown = np.concatenate([garment.vertices, *[part.surface.vertices for part in layers]])
+    for view in frame_views(shown, None if body is None else body.vertices, size):
         part = view.width, size[1]
         light, coverage = draw(view.camera, part)
         floor = np.ones(coverage.shape, np.float32)

@@ -10,6 +10,7 @@ import numpy as np
 from swifttailor.arrays import Array
 from swifttailor.garment.cloth_color import cloth_color
 from swifttailor.garment.part_looks import TRIMS_OF_PARTS, color_of_panel
+from swifttailor.pattern.trims.layers import LAYERS
 from swifttailor.render.color import GREY, Color, to_linear
 
 if TYPE_CHECKING:
@@ -113,7 +114,7 @@ def trim_color(
     if look == "thread" or trim == "frayed hem":
         return (1.0 - _PALE) * cloth + _PALE * to_linear(_UNDYED)
     if look == "cloth":
-        return (0.84 if trim in _RIBS else 0.94) * cloth
+        return (0.84 if trim in _RIBS else 1.0 if trim in LAYERS else 0.94) * cloth
     if look == "dark" and trim in _SOFT:
         return (0.52 if float(cloth @ GREY) >= DARK else 1.8) * cloth
     if look == "dark":

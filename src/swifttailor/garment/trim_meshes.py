@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -12,13 +12,14 @@ from scipy.spatial import ConvexHull, KDTree, QhullError
 from swifttailor.arrays import Array, Floats, Ints
 from swifttailor.garment.cloth_print import flat_places
 from swifttailor.garment.trim_decorations import bow_meshes, frill_meshes
+from swifttailor.garment.trim_layers import laid_over, layer_mesh
 from swifttailor.garment.trim_pieces import AROUND, TrimMesh, ball, front_of
 from swifttailor.garment.trim_stirrups import stirrup_mesh
 from swifttailor.garment.trunk_cloth import around_trunk
 from swifttailor.pattern.trims.names import COUNTED
 from swifttailor.pattern.trims.placing import place_trims
 from swifttailor.pattern.trims.rips import threads_across
-from swifttailor.pattern.trims.shapes import Belt, Bow, Button, Frill, Patch, Stirrup, Trim
+from swifttailor.pattern.trims.shapes import Belt, Bow, Button, Frill, Layer, Patch, Stirrup, Trim
 
 if TYPE_CHECKING:
     from swifttailor.garment.garment import Garment
@@ -64,7 +65,8 @@ def trim_meshes(garment: Garment) -> list[TrimMesh]:
     pattern = garment.pattern
     if not pattern.trims:
         return []
-    found = []
+    found: list[TrimMesh] = []
+    layers: list[TrimMesh] = []
     places = flat_places(garment)
     for piece in _seen(place_trims(pattern)):
         if isinstance(piece, Belt):
@@ -74,16 +76,20 @@ def trim_meshes(garment: Garment) -> list[TrimMesh]:
         elif isinstance(piece, Stirrup):
             strap = stirrup_mesh(garment, piece)
             found += [] if strap is None else [strap]
+        elif isinstance(piece, Layer):
+            cloth = layer_mesh(garment, piece)
+            layers += [] if cloth is None else [cloth]
         elif isinstance(piece, Frill):
             found += frill_meshes(garment, piece)
         elif isinstance(piece, Bow):
             on = _on_cloth(garment, piece.panel, np.array([piece.at]))
-            found += bow_meshes(garment, piece, on.points[0], on.normals[0])
+            bow = bow_meshes(garment, piece, on.points[0], on.normals[0])
+            found += [replace(mesh, panel=piece.panel) for mesh in bow]  # whose colour it has
         else:
             found.append(_patch(garment, piece, places))
             if piece.look == "hole" and "rip" in piece.trim:
                 found += [_patch(garment, thread, places) for thread in threads_across(piece)]
-    return found
+    return [*laid_over(layers, found), *layers] if layers else found
 
 
 def _seen(pieces: Sequence[Trim]) -> list[Trim]:

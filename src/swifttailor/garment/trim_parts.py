@@ -37,6 +37,8 @@ class TrimPart:
     """(n,) indices of the panels on which that is; goes with `flat`."""
     is_own_color: bool = False
     """Whether it is of another colour than such trims have on the cloth of the garment."""
+    opacity: float = 1.0
+    """As `TrimMesh.opacity`."""
 
 
 def trim_parts(garment: Garment) -> tuple[TrimPart, ...]:
@@ -64,6 +66,7 @@ def trim_parts(garment: Garment) -> tuple[TrimPart, ...]:
                 np.concatenate(flats) if len(flats) == len(meshes) else None,
                 np.repeat(*np.transpose(on)) if len(flats) == len(meshes) else None,
                 own[trim, look, color],
+                meshes[0].opacity,
             )
         )
     return tuple(parts)

@@ -37,6 +37,8 @@ class TrimMesh:
     """(n, 2) the vertices on their panel, panel-local cm; None of what goes around the body."""
     panel: str = ""
     """Name of the panel that it lies on; empty of what goes around the body."""
+    opacity: float = 1.0
+    """Share of what lies beneath that it hides."""
 
 
 def ball(middle: Array, radii: tuple[float, float, float]) -> tuple[Floats, Ints]:

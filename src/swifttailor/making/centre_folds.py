@@ -10,7 +10,7 @@ import numpy as np
 from swifttailor.arrays import Floats
 from swifttailor.pattern import EdgeRef, Panel, Pattern, Stitch
 from swifttailor.pattern.centre_seams import foldable_sides, is_centre_seam, laid_on
-from swifttailor.pattern.trims import Belt, Bow, Button, Frill, Patch, Stirrup, Trim, place_trims
+from swifttailor.pattern.trims import Belt, Bow, Button, Frill, Layer, Patch, Stirrup, Trim, place_trims
 
 _SIDE_WORDS = ("left_", "right_", "_left", "_right")
 
@@ -63,7 +63,7 @@ def _moved_trims(trims: Sequence[Trim], stitch: Stitch, a: Panel, b: Panel, name
 
     moved: list[Trim] = []
     for trim in trims:
-        if isinstance(trim, Belt | Frill | Stirrup) or trim.panel not in (a.name, b.name):
+        if isinstance(trim, Belt | Frill | Layer | Stirrup) or trim.panel not in (a.name, b.name):
             moved.append(trim)
         elif isinstance(trim, Patch):
             first, second = (lay(points, trim.panel) for points in (trim.first, trim.second))

@@ -54,6 +54,17 @@ _KEYHOLE = (
     "Face the marked drop before the neck is finished: sew a piece of cloth to it along the mark, cut the "
     "drop out, turn the facing in, and close the neck above it with a button and a loop.",
 )
+_TRAIN = (
+    "Train",
+    "Cut the back of the skirt once more, its hem drawn on by the length of the train in the middle and by "
+    "nothing at the sides. Hem it, lay it over the back, and catch its upper edge in the seam of the waist "
+    "and its sides in the side seams.",
+)
+_OVERSKIRT = (
+    "Overskirt",
+    "Cut a skirt as long as the other and half as wide again, open in front. Hem its front edges and its "
+    "hem, gather it to a band for the waist that closes in front with hooks, and wear it over the other.",
+)
 _CUT_OUT = (
     "Cut-outs",
     "Sew the seams that cross the marked openings up to their ends. Face each opening along the mark before "
@@ -287,6 +298,31 @@ _OTHERS: Mapping[str, tuple[str, str]] = {
         "Frill above the waistband",
         "Cut the waistband 12 cm higher. Fold its upper edge in by 4 cm, and sew it down where the frill "
         "begins.",
+    ),
+    "train": _TRAIN,
+    "long train": _TRAIN,
+    "overskirt": _OVERSKIRT,
+    "tulle overskirt": _OVERSKIRT,
+    "tulle layers": (
+        "Layers of tulle",
+        "Cut three layers of tulle as long as the skirt, each three times as wide as its hem. Gather their "
+        "upper edges to the waist, and catch all three in its seam. Tulle needs no hem.",
+    ),
+    "peplum": (
+        "Peplum",
+        "Cut a half ring of 18 cm whose inner edge is as long as the waist, hem it, and catch it in the seam "
+        "of the waist.",
+    ),
+    "back cape": (
+        "Cape behind",
+        "Cut a piece as wide as the back and half as much again, as long as from the shoulders to the hem. "
+        "Hem it but for its upper edge, gather this to the width of the back, and catch it in the seams of "
+        "the shoulders.",
+    ),
+    "cups": (
+        "Cups",
+        "Cut the fronts apart along the marks, with allowances on both sides, take what the dart takes away "
+        "off the seams, sew them together again, and sew a moulded cup behind each breast.",
     ),
     "apron": (
         "Apron",

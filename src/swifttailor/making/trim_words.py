@@ -46,6 +46,7 @@ _LINES: Mapping[str, str] = {
     "back lacing": "lacing",
     "back buttons": "edge of the upper half",
     "boning": "channel of a bone",
+    "cups": "seam of a cup",
     "smocking": "",
     "ruching": "gathers",
     "cowl folds": "fold of the cowl",

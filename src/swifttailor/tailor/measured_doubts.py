@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from swifttailor.describing.claims import Claim
 from swifttailor.describing.differences import Change, Gain, subject_of
 from swifttailor.describing.facts import GarmentFacts
 from swifttailor.recutting.to_the_figure import figures_missed
@@ -24,6 +25,8 @@ _OF_THE_CUT = frozenset({"fits", "lengths", "styles", "parts"})
 """Categories of words that speak of the cut; occasions and names of garments leave it open."""
 _APART = frozenset({"kind", "sides"})
 """Claims that are about all of a garment, and told elsewhere."""
+
+_SIDE_SLITS = (Claim("slit", "left"), Claim("slit", "right"))
 
 
 def said_and_not_so(answer: Answer) -> tuple[tuple[str, Change], ...]:
@@ -50,10 +53,19 @@ def said_and_not_so(answer: Answer) -> tuple[tuple[str, Change], ...]:
     gains = [wish.change for wish in wanted.wishes if isinstance(wish.change, Gain)]
     so = {gain.claim.name for gain in gains if gain.holds(facts, facts)}
     numbers = [mention.end for mention in find_mentions(wanted.heard.text)]
+    slits = () if facts.skirt is None else facts.skirt.slits
+    # Cut as a wedge over that leg, where it is seen (`slits_seen`).
+    over_leg = _SIDE_SLITS if any(slit.place == "front" and slit.width > 0.0 for slit in slits) else ()
     said: dict[tuple[int, str], list[Gain]] = {}
     for each in words.implications:
         firm = each.said or each.certainty == "certain"
-        if not firm or each.claim.name in _APART or each.mark in opposed or not _is_of_the_cut(each.mark):
+        if (
+            not firm
+            or each.claim.name in _APART
+            or each.claim in over_leg
+            or each.mark in opposed
+            or not _is_of_the_cut(each.mark)
+        ):
             continue
         if each.claim.name not in so and not any(0 <= each.mark.start - end <= 2 for end in numbers):
             said.setdefault((each.mark.start, each.mark.word), []).append(Gain(each.claim))

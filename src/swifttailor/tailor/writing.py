@@ -27,6 +27,7 @@ from swifttailor.tailor.reading import Wanted
 from swifttailor.tailor.refining import refined
 from swifttailor.tailor.second_reading import SecondReading
 from swifttailor.tailor.sewing import SewingOptions, prepare
+from swifttailor.tailor.slits_seen import with_slit_seen
 from swifttailor.tailor.trimming import trimmed, with_looks_that_fit
 
 WARMER = 0.15
@@ -186,7 +187,7 @@ def _take_time(written: Sequence[WrittenPattern], clock: Clock) -> None:
 
 def _prepared(answer: Answer, sewer: Sewer, order: Order) -> Answer:
     """The pattern with its trims and name, prepared to be sewn or with the reason why it cannot be."""
-    answer = with_looks_that_fit(trimmed(answer))
+    answer = with_slit_seen(with_looks_that_fit(trimmed(answer)))
     if not answer.is_given:
         answer = replace(answer, pattern=replace(answer.pattern, name=order.title))
     try:

@@ -143,6 +143,14 @@ SHOULD_HAVE = {
     "sleeve petals": ("t-shirt", "coat", "turtleneck"),
     "neck gathers": ("shirt", "t-shirt", "turtleneck", "fitted-dress", "tank-top"),
     "shoulder gathers": ("shirt", "t-shirt", "turtleneck", "shift-dress"),
+    "train": ("strapless-dress", "mermaid-dress", "tiered-skirt"),
+    "long train": ("strapless-dress", "mermaid-dress"),
+    "overskirt": ("strapless-dress", "skater-dress", "fitted-dress", "circle-skirt"),
+    "tulle overskirt": ("strapless-dress", "skater-dress", "fitted-dress", "circle-skirt"),
+    "tulle layers": ("strapless-dress", "skater-dress", "circle-skirt"),
+    "cups": ("bustier", "strapless-dress", "fitted-dress", "skater-dress"),
+    "peplum": ("fitted-dress", "fitted-skirt", "strapless-dress"),
+    "back cape": ("fitted-dress", "skater-dress", "shift-dress"),
 }
 CHILDREN = (60.0, 92.0, 110.0, 128.0, 152.0)
 SOME = tuple(info for info in list_drafts() if info.name not in ("gored-skirt", "pleated-skirt"))
@@ -189,6 +197,9 @@ def test_has_its_place_on_the_drafts_that_should_have_it(name, drafts):
         ("pleated front", "fitted-skirt"), ("fine pleats", "jeans"), ("neck pleats", "bustier"),
         ("shoulder pleats", "camisole"), ("back pleat", "fitted-skirt"), ("sleeve petals", "tank-top"),
         ("sleeve petals", "shirt"), ("neck gathers", "bandeau"), ("shoulder gathers", "camisole"),
+        ("train", "skater-dress"), ("long train", "jeans"), ("overskirt", "jumpsuit"),
+        ("tulle layers", "t-shirt"),
+        ("cups", "fitted-skirt"), ("peplum", "t-shirt"), ("back cape", "strapless-dress"),
     ],
 )  # fmt: skip
 def test_has_none_on_others(name, draft_name, drafts):

@@ -8,7 +8,7 @@ import numpy as np
 import shapely
 
 from swifttailor.pattern import Pattern
-from swifttailor.pattern.trims import Belt, Bow, Button, Frill, Patch, Stirrup, Trim
+from swifttailor.pattern.trims import Belt, Bow, Button, Frill, Layer, Patch, Stirrup, Trim
 
 ON_PANEL = 0.05
 """How far corners may lie beside their panel, cm."""
@@ -32,6 +32,10 @@ def assert_on_panels(pattern: Pattern, trims: tuple[Trim, ...]) -> None:
     for trim in trims:
         if isinstance(trim, Belt):
             assert 0 < trim.width < 12 and 20 < trim.height < 160, trim
+            continue
+        if isinstance(trim, Layer):
+            assert pattern.panel_index(trim.panel) >= 0 and 0.0 < trim.low < trim.height - 3.0, trim
+            assert 0.0 < trim.reach <= 180.0 and 0.0 < trim.opacity <= 1.0 and trim.behind >= 0.0, trim
             continue
         if isinstance(trim, Frill | Stirrup):
             sewn = {side for stitch in pattern.stitches for side in stitch.sides}

@@ -2,7 +2,7 @@
 
 from swifttailor.pattern.trims.names import LIKE_EACH_OTHER, TRIMS, trims_read
 from swifttailor.pattern.trims.placing import place_trims, trims_that_fit
-from swifttailor.pattern.trims.shapes import Belt, Bow, Button, Frill, Patch, Stirrup, Trim
+from swifttailor.pattern.trims.shapes import Belt, Bow, Button, Frill, Layer, Patch, Stirrup, Trim
 
 __all__ = [
     "LIKE_EACH_OTHER",
@@ -11,6 +11,7 @@ __all__ = [
     "Bow",
     "Button",
     "Frill",
+    "Layer",
     "Patch",
     "Stirrup",
     "Trim",

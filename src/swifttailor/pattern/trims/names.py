@@ -118,6 +118,14 @@ TRIMS: Mapping[str, str] = {
     "sleeve petals": "sleeves of two petals",
     "neck gathers": "gathers below the neck",
     "shoulder gathers": "gathers below the shoulders",
+    "train": "a train that lies on the floor behind",
+    "long train": "a long train that lies on the floor behind",
+    "overskirt": "an overskirt that is open in front",
+    "tulle overskirt": "an overskirt of tulle that is open in front",
+    "tulle layers": "layers of tulle over the skirt",
+    "cups": "cups with seams over the bust",
+    "peplum": "a peplum over the hips",
+    "back cape": "a cape that hangs from the shoulders behind",
 }
 """By name, what each is for people. None joins panels, so none changes how a garment is cut or hangs."""
 LIKE_EACH_OTHER = (
@@ -169,6 +177,8 @@ LIKE_EACH_OTHER = (
     ("side panels", "waist cut-outs"),
     ("rips", "knee rips", "left knee rip", "right knee rip", "knee patches"),
     ("chest heart", "chest star"),
+    ("train", "long train"),
+    ("overskirt", "tulle overskirt", "tulle layers", "peplum"),
 )
 """Groups of which a garment has one at most."""
 MOST_BUTTONS = 20

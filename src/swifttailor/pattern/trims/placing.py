@@ -26,12 +26,14 @@ from swifttailor.pattern.trims.boning import boning
 from swifttailor.pattern.trims.chalk import Chalk
 from swifttailor.pattern.trims.chest_motifs import chest_heart, chest_star
 from swifttailor.pattern.trims.cowl import cowl_folds
+from swifttailor.pattern.trims.cups import cups
 from swifttailor.pattern.trims.diagonal_closing import diagonal_closing
 from swifttailor.pattern.trims.elbow_patches import elbow_patches
 from swifttailor.pattern.trims.epaulettes import epaulettes
 from swifttailor.pattern.trims.fur_edges import fur_trim, neck_fur, sleeve_fur
 from swifttailor.pattern.trims.keyholes import keyhole
 from swifttailor.pattern.trims.knee_patches import knee_patches
+from swifttailor.pattern.trims.layers import layer
 from swifttailor.pattern.trims.petal_sleeves import sleeve_petals
 from swifttailor.pattern.trims.reflecting_bands import reflecting_bands
 from swifttailor.pattern.trims.rips import frayed_hem, rips
@@ -162,6 +164,14 @@ _PLACES: Mapping[str, Callable[[Chalk, str], list[Trim]]] = {
     "sleeve petals": sleeve_petals,
     "neck gathers": top_pleats.neck_gathers,
     "shoulder gathers": top_pleats.shoulder_gathers,
+    "train": layer,
+    "long train": layer,
+    "overskirt": layer,
+    "tulle overskirt": layer,
+    "tulle layers": layer,
+    "cups": cups,
+    "peplum": layer,
+    "back cape": layer,
 }
 """How each of `names.TRIMS` is marked."""
 

@@ -99,4 +99,25 @@ class Stirrup:
     """cm."""
 
 
-Trim = Patch | Button | Belt | Frill | Bow | Stirrup
+@dataclass(frozen=True)
+class Layer:
+    """Cloth that hangs over a skirt all around, or over a part of it."""
+
+    trim: str
+    panel: str
+    """A panel of the skirt that it hangs over, whose colour it has."""
+    height: float
+    """Of its upper edge above the floor, cm."""
+    low: float
+    """The same of its hem, cm."""
+    flare: float = 0.0
+    """How far its hem stands off that of the skirt, cm."""
+    reach: float = 180.0
+    """How far it goes to both sides of the middle of the back, degrees."""
+    behind: float = 0.0
+    """How far it lies on the floor behind, cm."""
+    opacity: float = 1.0
+    """Share of what lies beneath that it hides."""
+
+
+Trim = Patch | Button | Belt | Frill | Bow | Stirrup | Layer

@@ -79,7 +79,7 @@ def open_middle(
             return bench.pattern() if _open(bench, seam, height, at_end) else None
     for end in ends:
         for side in end.run:
-            if _cut_in(bench, side, height, width):
+            if cut_wedge(bench, side, height, width):
                 return bench.pattern()
     return None
 
@@ -123,8 +123,16 @@ def _on_face(bench: Workbench, name: str, face: Face) -> bool:
     return (bench.pieces[name].panel.normal()[2] < 0) == (face == "back")
 
 
-def _cut_in(bench: Workbench, side: int, height: float, width: float) -> bool:
-    """Cuts a narrow wedge into a side where it crosses the middle of the body; False where it does not."""
+def cut_wedge(bench: Workbench, side: int, height: float, width: float, *, x: float = 0.0) -> bool:
+    """Cuts a narrow wedge into a side of a panel, up from its hem; False where it does not reach there.
+
+    Args:
+        bench: Where the panel lies.
+        side: Of its hem.
+        height: Of the wedge, cm.
+        width: At the hem, cm.
+        x: Where it is, to the left of the middle of the body, cm.
+    """
     piece = bench.piece_of(side)
     name = piece.panel.name
     chord = piece.chord(side)
@@ -134,9 +142,9 @@ def _cut_in(bench: Workbench, side: int, height: float, width: float) -> bool:
     shares = np.linspace(0.0, 1.0, 401)
     curve = bench.side(side).edge.curve
     points = curves.evaluate(curve, chord, curves.parameters_by_length(curve, chord, shares))
-    x = piece.panel.to_world(points)[:, 0]
-    at = float(shares[np.abs(x).argmin()]) * length
-    if np.abs(x).min() > MIDDLE_CM or not width / 2 + 1.0 < at < length - width / 2 - 1.0:
+    away = np.abs(piece.panel.to_world(points)[:, 0] - x)
+    at = float(shares[away.argmin()]) * length
+    if away.min() > MIDDLE_CM or not width / 2 + 1.0 < at < length - width / 2 - 1.0:
         return False
     right = bench.split(side, (at + width / 2) / length)
     wedge = bench.split(side, (at - width / 2) / (at + width / 2))

@@ -11,7 +11,7 @@ from swifttailor.errors import SwiftTailorError
 from swifttailor.garment.garment import Garment
 from swifttailor.garment.trim_parts import trim_parts
 from swifttailor.pattern import Pattern
-from swifttailor.pattern.trims import Belt, Bow, Button, Frill, Stirrup, Trim, place_trims
+from swifttailor.pattern.trims import Belt, Bow, Button, Frill, Layer, Stirrup, Trim, place_trims
 
 _KNOT = 9.0
 """A bow's width over the radius of the mark of its knot."""
@@ -67,7 +67,7 @@ def trim_marks(pattern: Pattern) -> list[dict[str, Any]]:
 
 
 def _mark(piece: Trim) -> list[dict[str, Any]]:
-    if isinstance(piece, Belt | Frill | Stirrup):
+    if isinstance(piece, Belt | Frill | Layer | Stirrup):
         return []
     common = {"trim": piece.trim, "panel": piece.panel}
     if isinstance(piece, Button):

@@ -27,6 +27,7 @@ from swifttailor.wishes.drafts.hooded_drafts import hooded_as_asked
 from swifttailor.wishes.drafts.legged_drafts import legs_as_asked
 from swifttailor.wishes.drafts.skirted_coats import skirted_as_asked
 from swifttailor.wishes.drafts.sleeved_drafts import sleeves_as_asked
+from swifttailor.wishes.drafts.slit_skirts import slit_as_asked
 from swifttailor.wishes.drafts.swimsuits_as_asked import swimsuit_as_asked
 
 _BARE = Claim("shoulders", "strapless")
@@ -149,7 +150,7 @@ def draft_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft | N
     draft = held_as_asked(_hanging_loose(close_as_asked(draft, claims), claims), claims)
     draft = on_straps_that_hold(bared_as_asked(draft, claims))
     draft = _standing(sleeves_as_asked(draft, claims), claims)  # what was strapless has a neck now
-    draft = boat_as_asked(_with_close_neck(draft, claims), claims)
+    draft = slit_as_asked(boat_as_asked(_with_close_neck(draft, claims), claims), claims)
     if draft.name in _ON_SHOULDERS and _THIN_STRAPS in claims:
         return None
     if _BARE in claims and draft.name not in BARE_SHOULDERED:

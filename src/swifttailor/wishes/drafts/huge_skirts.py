@@ -16,14 +16,18 @@ _HUGE = (
     r"(?:huge|enormous|massive|giant|gigantic|ginormous|humongous|poof(?:y|ie)|pouff?y|puffy|voluminous|immense"
     r"|big|bouffant|extra[- ]full|(?:very|really|super|so|extremely) (?:full|wide|big))"
 )
+_POOFY = r"(?:poof(?:y|ie)|pouff?y|puffy|bouffant|fluffy)"
 _SAID = re.compile(
     rf"(?<!\w)(?<!no )(?<!not )(?:{_HUGE},? "
     r"(?:(?!sleeves?|bows?|collar|pockets?|and )[\w'-]+,? ){0,3}?skirts?"
     rf"|skirts?(?: (?:that|which|part|is|should|be|to|really|all|so|very|super))*,? {_HUGE}"
     r"(?! (?:sleeve|bow|collar|pocket))"
+    rf"|{_POOFY},? (?:(?!sleeve)[\w'-]+,? ){{0,3}}?(?:dress|gown|frock)(?:es|s)?"
+    rf"|(?:dress|gown|frock),? (?:(?!sleeve|no|with)[\w'-]+,? ){{0,3}}?{_POOFY}"
+    r"(?! (?:\w+ )?(?:sleeve|shoulder|skirt|jacket|coat|vest))"
     r"|ball ?gowns?|ball ?gown skirts?|ball skirts?|(?:like|for) (?:a |my little )?princess"
     r"|princess(?:[- ]style)? (?:dress|gown|skirt)"
-    r"|cinderella|quincea[nñ]era|meringue|crinoline|hoop skirts?)(?!\w)",
+    r"|cinderella|quince(?:a[nñ]era)?|meringue|crinoline|hoop skirts?)(?!\w)",
     re.IGNORECASE,
 )
 _DENIED = re.compile(r"(?<!\w)(?:no|not|nothing|without|never|isn't|n't)(?: \w+){0,3} $", re.IGNORECASE)

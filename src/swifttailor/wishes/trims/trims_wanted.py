@@ -77,6 +77,13 @@ TRIMS_OF: Mapping[str, tuple[str, ...]] = {
     "arm_slits": ("arm slits",),
     "raw_hem": ("rips", *_KNEE_RIPS, "frayed hem"),
     "lettering": ("chest heart", "chest star"),
+    "train": ("train", "long train"),
+    "overskirt": ("overskirt", "tulle overskirt"),
+    "tulle_layers": ("tulle layers",),
+    "second_layer": ("tulle layers",),
+    "cups": ("cups",),
+    "peplum": ("peplum",),
+    "cape": ("back cape",),
 }
 """By key of what cannot be made of panels, which trims can stand for it."""
 _JACKETS = frozenset(
@@ -103,6 +110,7 @@ _SAID_ALONE = frozenset(
     {
         *("lace", "braid", "apron", "boning", "pleats", "smocking", "ruching", "tucks"),
         *("cut_outs", "draped", "draped_cloth", "yoke", "princess_seams", "scallops"),
+        *("train", "overskirt", "tulle_layers", "second_layer", "cups", "cape"),
     }
 )
 """What is put on only where the text itself asks for it, or a row of the tables has its trim."""
@@ -117,6 +125,8 @@ _LOWER = ("trousers", "shorts")
 _FOR_JACKETS, _TAILORED = frozenset({"cardigan", "turtleneck"}), "blazer"
 """Drafts that jackets without a collar and with one that stands are cut from, and the one with lapels."""
 _DENIM = "denim"
+_NET, _NETS = ("tulle layers",), frozenset({"tulle", "net", "organza"})
+"""What is put on skirts of a net, and which cloths are such."""
 _FLOUNCED = Claim("cuffs", "flounce")
 """Frills of the sleeves, where no others are named."""
 _KANGAROO, _ANY_BIG = "kangaroo pocket", "patch pockets"
@@ -159,6 +169,10 @@ def trims_wanted(heard: Heard, draft: str = "", kind: str = "") -> tuple[TrimWis
             continue
         if lack.what == "lace" and not lack.said and is_of_lace(heard):
             can = own = ()
+        if lack.what == draft == "cape":
+            can = own = ()
+        if lack.what == "second_layer" and not _has_net_skirt(heard):  # a lining, not layers of tulle
+            can = own = ()
         said = tuple([name for name in named if name in can])
         if draft in _HOODED:  # that of a hoodie
             said = tuple([_KANGAROO if name == "front pocket" else name for name in said])
@@ -184,12 +198,19 @@ def trims_wanted(heard: Heard, draft: str = "", kind: str = "") -> tuple[TrimWis
     for part, what, name in _SECOND:
         if heard.looks.second == part and not any(wish.what == what for wish in found):
             found.append(TrimWish(what, False, ((name,),)))
+    if kind == "dress" and _has_net_skirt(heard) and not any(_NET in wish.choices for wish in found):
+        found.append(TrimWish("tulle_layers", False, (_NET,)))
     if draft in _RIBBED and not any(wish.what == _RIBS for wish in found) and _is_knitted(heard, draft):
         found.append(TrimWish(_RIBS, False, (("neck rib", "armhole ribs"), ("neck rib",), ("armhole ribs",))))
     if draft in _FOR_JACKETS and not any(wish.what == "buttons" for wish in found) and _is_a_jacket(heard):
         pocketed = () if any(wish.what == "pockets" for wish in found) else (("buttons", "welt pockets"),)
         found.append(TrimWish("buttons", False, (*pocketed, ("buttons",))))
     return tuple(found)
+
+
+def _has_net_skirt(heard: Heard) -> bool:
+    """Whether the skirt alone is of net, which is worn in layers that stand off."""
+    return any(look.part == "skirt" and look.cloth in _NETS for look in heard.looks.looks)
 
 
 def _is_a_jacket(heard: Heard) -> bool:

@@ -169,6 +169,7 @@ def _reading(text: str, language: Language, kind: str | None, dialect: Dialect |
             of_names |= set(refused) if any(e.category == "garments" for e in mark.entries) else set()
         else:
             implied += [one for one in _implied(word, mark) if word.role != "like" or _has_place(one, kinds)]
+    implied = _with_parts_behind(implied)
     implied = with_covered_shoulders(_with_its_collar(_exact_lengths(implied, language)), never, marks)
     # "Tight on top, but not like a ballgown" is tight on top.
     asked = frozenset().union(*(_kinds_of(mark, language) for mark in marks if not mark.denied))
@@ -248,6 +249,19 @@ def _implied(word: Meaning, mark: WordMark) -> list[Implication]:
                 certainty = "likely" if certainty == "likely" or word.guessed else "usual"
             found.append(Implication(each.claim, certainty, said, mark))
     return found
+
+
+def _with_parts_behind(implied: Sequence[Implication]) -> list[Implication]:
+    """Those that hold where a part of the garment is named as if it were one of its own.
+
+    A satin skirt usually is a midi, and that of a gown is as long and wide as the gown is said to be.
+    """
+    whole = {i.claim.name for i in implied if i.mark.role == "garment" and i.claim.name == "skirt_hem"}
+    said = [i for i in implied if i.said and i.certainty == "certain"]
+    whole |= {i.claim.name for i in said if i.claim.name == "skirt"}
+    return [
+        i for i in implied if i.mark.role != "part" or i.certainty == "certain" or i.claim.name not in whole
+    ]
 
 
 def _kinds_of(mark: WordMark, language: Language) -> frozenset[str]:

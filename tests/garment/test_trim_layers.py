@@ -1,0 +1,86 @@
+"""Trains lie on the floor behind, overskirts are open in front, and layers stay outside of the skirt."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from swifttailor.garment.garment import Garment
+from swifttailor.garment.layer_surfaces import layer_surfaces
+from swifttailor.garment.part_looks import PartLook, looks_of_panels
+from swifttailor.garment.preview import trim_surfaces
+from swifttailor.garment.trim_meshes import trim_meshes
+from swifttailor.garment.trim_parts import trim_parts
+from swifttailor.garment_sewer.sewer import GarmentSewer
+from swifttailor.pattern.drafts import draft
+from swifttailor.pattern.trims.layers import LAYERS
+
+
+@cache
+def gown(name: str = "strapless-dress") -> Garment:
+    sewer = GarmentSewer.load(Path(__file__).parents[1] / "garment_sewer" / "tiny_sewer.onnx")
+    return sewer.sew(draft(name))
+
+
+def with_trims(garment: Garment, *names: str) -> Garment:
+    return replace(garment, mesh=replace(garment.mesh, pattern=replace(garment.pattern, trims=names)))
+
+
+@pytest.mark.parametrize(("trim", "behind"), [("train", 52.0), ("long train", 100.0)])
+def test_a_train_lies_on_the_floor_behind(trim, behind):
+    garment = with_trims(gown(), trim)
+    (train,) = trim_meshes(garment)
+    skirt = garment.vertices[garment.vertices[:, 1] < 40.0]
+    lying = train.vertices[train.vertices[:, 1] < 3.0]
+    assert len(lying) and train.vertices[:, 1].min() >= 0.0
+    assert lying[:, 2].min() == pytest.approx(skirt[:, 2].min() - behind, abs=12.0)
+    assert np.abs(train.vertices[:, 0]).max() < behind + np.abs(skirt[:, 0]).max()
+    assert train.vertices[:, 2].max() < 0.5 * skirt[:, 2].max()  # nothing of it in front
+
+
+@pytest.mark.parametrize("trim", sorted(LAYERS - {"train", "long train", "back cape"}))
+def test_layers_lie_outside_of_the_skirt(trim):
+    garment = with_trims(gown(), trim)
+    (layer,) = trim_meshes(garment)
+    low = layer.vertices[layer.vertices[:, 1] < np.quantile(layer.vertices[:, 1], 0.2)]
+    level = garment.vertices[np.abs(garment.vertices[:, 1] - low[:, 1].mean()) < 4.0]
+    assert np.hypot(*low[:, [0, 2]].T).mean() > np.hypot(*level[:, [0, 2]].T).mean()
+    in_front = (np.abs(low[:, 0]) < 4.0) & (low[:, 2] > 0.0)
+    assert in_front.any() == (trim in ("tulle layers", "peplum"))
+
+
+@pytest.mark.parametrize("trim", sorted(LAYERS))
+def test_layers_are_sound_and_face_outward(trim):
+    garment = with_trims(gown("fitted-dress" if trim == "back cape" else "strapless-dress"), trim)
+    (layer,) = trim_meshes(garment)
+    a, b, c = (layer.vertices[layer.faces[:, k]] for k in range(3))
+    across = np.cross(b - a, c - a)
+    assert np.isfinite(layer.vertices).all() and np.linalg.norm(across, axis=1).min() > 1e-6
+    outward = (a + b + c) / 3 * (1, 0, 1)
+    assert (across * outward).sum() > 0.0
+    assert trim_surfaces(garment) == []  # it is drawn as cloth
+    (seen,) = layer_surfaces(garment)
+    assert (seen.opacity < 1.0) == ("tulle" in trim) == (trim_parts(garment)[0].opacity < 1.0)
+
+
+def test_a_bow_lies_on_the_layer():
+    garment = with_trims(gown(), "tulle layers", "back bow")
+    meshes = trim_meshes(garment)
+    bow = np.concatenate([mesh.vertices for mesh in meshes if mesh.trim == "back bow"])
+    (layer,) = (mesh for mesh in meshes if mesh.trim == "tulle layers")
+    for x, y, z in bow[:: len(bow) // 40]:
+        near = layer.vertices[np.hypot(layer.vertices[:, 0] - x, layer.vertices[:, 1] - y) < 2.0]
+        behind = near[near[:, 2] < 0.0]
+        assert not len(behind) or z < behind[:, 2].min() + 3.0
+
+
+def test_a_skirt_below_tulle_is_opaque():
+    looks = (PartLook("skirt", cloth="tulle"),)
+    bare = replace(gown(), looks=looks)
+    layered = replace(with_trims(gown(), "tulle layers"), looks=looks)
+    assert any(look.is_sheer for look in looks_of_panels(bare))
+    assert not any(look.is_sheer for look in looks_of_panels(layered))
