@@ -68,7 +68,8 @@ _OF_DETAILS: Mapping[str, tuple[str, ...]] = {
 _NECKS = ("neckline", "collar", "hood", "straps")
 _CUT_AS = {"tunic": "top", "shorts": "trousers", "playsuit": "jumpsuit"}
 """Kinds that are drafted as others."""
-_FLARED, _STRAIGHT = Claim("skirt", "flared"), Claim("skirt", "straight")
+_STRAIGHT = Claim("skirt", "straight")
+_FULL_SKIRTS = {Claim("skirt", "flared"), Claim("skirt", "circle")}
 _WHATEVER = NamedDraft("t-shirt", (("neck_widening", 0.7), ("chest_ease", 8.0), ("waist_shaping", 1.0)))
 _CLOSE = frozenset({Claim("fit", "close"), Claim("hips", "close")})
 _OF_MOODS = frozenset({Claim("sleeves", "long"), Claim("skirt_hem", "below the knee"), Claim("fit", "close")})
@@ -164,7 +165,8 @@ def _sure_claims(heard: Heard) -> list[Claim]:
     sure += [] if any(claim.name in _AT_SHOULDERS for claim in sure) else _likely_bare(heard)
     sure += [claim for claim in _moods(heard) if not any(claim.name == c.name for c in sure)]
     sure += _standing_necks(heard) if not any(claim.name in _NECKS for claim in sure) else []
-    sure += [_STRAIGHT] if _FLARED in heard.never and not any(c.name == "skirt" for c in sure) else []
+    if not _FULL_SKIRTS.isdisjoint(heard.never) and not any(c.name == "skirt" for c in sure):
+        sure.append(_STRAIGHT)
     return sure
 
 
