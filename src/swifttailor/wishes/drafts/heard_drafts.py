@@ -165,9 +165,18 @@ def _sure_claims(heard: Heard) -> list[Claim]:
     sure += [] if any(claim.name in _AT_SHOULDERS for claim in sure) else _likely_bare(heard)
     sure += [claim for claim in _moods(heard) if not any(claim.name == c.name for c in sure)]
     sure += _standing_necks(heard) if not any(claim.name in _NECKS for claim in sure) else []
-    if not _FULL_SKIRTS.isdisjoint(heard.never) and not any(c.name == "skirt" for c in sure):
+    if _refuses_full_skirts(heard) and not any(c.name == "skirt" for c in sure):
         sure.append(_STRAIGHT)
     return sure
+
+
+def _refuses_full_skirts(heard: Heard) -> bool:
+    """Whether none is to be full, or a word is refused that only usually means that: "not poofy"."""
+    marks = () if heard.words is None else heard.words.marks
+    refused = {
+        each.claim for mark in marks if mark.denied for entry in mark.entries for each in entry.implied
+    }
+    return not _FULL_SKIRTS.isdisjoint({*heard.never, *refused})
 
 
 def _begun(heard: Heard, entries: Sequence[Entry], sure: Sequence[Claim]) -> list[NamedDraft]:
