@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from difflib import get_close_matches
 from typing import Any
 
 from swifttailor.errors import PatternError
@@ -225,6 +226,9 @@ def button_count_read(raw: Any) -> int:
     )
 
 
+_LISTED = f"all {len(TRIMS)} are listed in docs/trims.md"
+
+
 def trims_read(raw: Any) -> tuple[str, ...]:
     """The trims that a pattern file names under ``properties.trims``.
 
@@ -235,9 +239,12 @@ def trims_read(raw: Any) -> tuple[str, ...]:
         unknown = [name for name in raw if name not in TRIMS]
         if not unknown:
             return tuple(dict.fromkeys(raw))
+        near = get_close_matches(unknown[0][:40].lower(), TRIMS, n=3)
+        hint = f"Names like it: {', '.join(near)}. " if near else ""
         raise PatternError(
-            f"properties.trims: there is no trim named {unknown[0][:40]!r}. Accepted are: {', '.join(TRIMS)}."
+            f"properties.trims: there is no trim named {unknown[0][:40]!r}. {hint}{_LISTED.capitalize()}."
         )
     raise PatternError(
-        f"properties.trims: a list of names was expected, of {', '.join(TRIMS)}. Correct or remove it."
+        f"properties.trims: a list of names was expected, such as ['buttons', 'tie belt']; {_LISTED}. "
+        "Correct or remove it."
     )
