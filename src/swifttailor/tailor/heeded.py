@@ -1,7 +1,7 @@
-"""A design that was read in a picture, changed where that is needed to do what words ask.
+"""A design that was read in a picture or in words, changed where that is needed to do what words ask.
 
 Cutting a draft to words bends the pattern of another design: a skirt that is gathered more than was asked
-keeps its panels. Words are certain and what is read in a picture is not, so the likeliest of the designs that
+keeps its panels. Words are certain and what is read of a design is not, so the likeliest of the designs that
 do what the words ask is nearer to the garment in the picture.
 """
 

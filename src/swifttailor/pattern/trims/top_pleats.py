@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from itertools import cycle
 
 import numpy as np
 
@@ -49,11 +50,31 @@ def fine_pleats(chalk: Chalk, name: str) -> list[Trim]:
 
 def neck_pleats(chalk: Chalk, name: str) -> list[Trim]:
     """Short folds that fan out below the neckline."""
+    return _from_neck(chalk, name, _OF_NECK, _NECK)
+
+
+def neck_gathers(chalk: Chalk, name: str) -> list[Trim]:
+    """Many short folds that run down from the neckline, long and short ones in turn."""
+    return _from_neck(chalk, name, _OF_NECK_GATHERS, _GATHERS)
+
+
+def shoulder_pleats(chalk: Chalk, name: str) -> list[Trim]:
+    """Folds that fall from both shoulder seams, a little towards the middle."""
+    return _from_shoulders(chalk, name, _ON_SHOULDER, _SHOULDER, inwards=0.6)
+
+
+def shoulder_gathers(chalk: Chalk, name: str) -> list[Trim]:
+    """Many short folds that run down from both shoulder seams."""
+    return _from_shoulders(chalk, name, _ON_SHOULDER_GATHERS, _GATHERS, inwards=0.0)
+
+
+def _from_neck(chalk: Chalk, name: str, parts: Sequence[float], lengths: Sequence[float]) -> list[Trim]:
+    """Folds that begin at parts of the way to the shoulder, their lengths (cm) in turn."""
 
     def folds(view: FrontView, sign: int) -> list[list[Point]]:
         end = abs(_shoulder_of(view, sign)[0])
-        found = []
-        for part, length in zip(_OF_NECK, _NECK, strict=True):
+        found: list[list[Point]] = []
+        for part, length in zip(parts, cycle(lengths), strict=False):
             x, down = part * end, length * chalk.size
             top = chalk.top_at(view, sign * x) - _free_above(chalk)
             found.append([(sign * x, top), (sign * (x + _SPREAD * part * down), top - down)])
@@ -62,48 +83,20 @@ def neck_pleats(chalk: Chalk, name: str) -> list[Trim]:
     return _both(chalk, name, folds)
 
 
-def neck_gathers(chalk: Chalk, name: str) -> list[Trim]:
-    """Many short folds that run down from the neckline, long and short ones in turn."""
-
-    def folds(view: FrontView, sign: int) -> list[list[Point]]:
-        end = abs(_shoulder_of(view, sign)[0])
-        found = []
-        for k, part in enumerate(_OF_NECK_GATHERS):
-            x, down = part * end, _GATHERS[k % len(_GATHERS)] * chalk.size
-            top = chalk.top_at(view, sign * x) - _free_above(chalk)
-            found.append([(sign * x, top), (sign * (x + _SPREAD * part * down), top - down)])
-        return found
-
-    return _both(chalk, name, folds)
-
-
-def shoulder_gathers(chalk: Chalk, name: str) -> list[Trim]:
-    """The same from both shoulder seams."""
-
-    def folds(view: FrontView, sign: int) -> list[list[Point]]:
-        inner, outer = _shoulder_of(view, sign)
-        found = []
-        for k, part in enumerate(_ON_SHOULDER_GATHERS):
-            x = inner + part * (outer - inner)
-            top = chalk.top_at(view, x) - _INSIDE
-            found.append([(x, top), (x, top - _GATHERS[k % len(_GATHERS)] * chalk.size)])
-        return found if abs(outer - inner) >= _LEAST_SHOULDER * chalk.size else []
-
-    return _both(chalk, name, folds)
-
-
-def shoulder_pleats(chalk: Chalk, name: str) -> list[Trim]:
-    """Folds that fall from both shoulder seams."""
+def _from_shoulders(
+    chalk: Chalk, name: str, parts: Sequence[float], lengths: Sequence[float], *, inwards: float
+) -> list[Trim]:
+    """Folds that begin at parts of a shoulder seam, their lengths (cm) in turn, and end `inwards` (cm)."""
 
     def folds(view: FrontView, sign: int) -> list[list[Point]]:
         inner, outer = _shoulder_of(view, sign)
         if abs(outer - inner) < _LEAST_SHOULDER * chalk.size:
             return []
-        found = []
-        for part, length in zip(_ON_SHOULDER, _SHOULDER, strict=True):
+        found: list[list[Point]] = []
+        for part, length in zip(parts, cycle(lengths), strict=False):
             x = inner + part * (outer - inner)
             top = chalk.top_at(view, x) - _INSIDE
-            found.append([(x, top), (x - sign * 0.6, top - length * chalk.size)])
+            found.append([(x, top), (x - sign * inwards, top - length * chalk.size)])
         return found
 
     return _both(chalk, name, folds)
