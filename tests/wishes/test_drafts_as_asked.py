@@ -8,7 +8,8 @@ from hypothesis import strategies as st
 
 from swifttailor.describing.claims import CLAIM_TYPES, Claim
 from swifttailor.pattern.drafts import draft
-from swifttailor.pattern.drafts.draft_names import BARE_SHOULDERED, DRAFT_NAMES, NamedDraft
+from swifttailor.pattern.drafts.draft_kinds import DRAFT_NAMES
+from swifttailor.pattern.drafts.draft_names import BARE_SHOULDERED, NamedDraft
 from swifttailor.wishes.drafts.drafts_as_asked import draft_as_asked
 
 _SLEEVED_SKATER = (

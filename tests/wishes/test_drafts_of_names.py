@@ -6,7 +6,8 @@ import pytest
 
 from swifttailor.describing.claims import Claim
 from swifttailor.pattern.drafts import draft
-from swifttailor.pattern.drafts.draft_names import DRAFT_KINDS, NamedDraft
+from swifttailor.pattern.drafts.draft_kinds import DRAFT_KINDS
+from swifttailor.pattern.drafts.draft_names import NamedDraft
 from swifttailor.pattern.drafts.options import make_options
 from swifttailor.pattern.drafts.registry import find_draft
 from swifttailor.wishes.drafts.drafts_of_names import draft_of_kind, draft_of_name

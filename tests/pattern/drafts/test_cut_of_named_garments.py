@@ -10,7 +10,7 @@ from swifttailor.describing import Claim
 from swifttailor.describing.measuring import measure_facts
 from swifttailor.pattern.curve import Line
 from swifttailor.pattern.drafts import draft, list_drafts
-from swifttailor.pattern.drafts.draft_names import DRAFT_KINDS, DRAFT_NAMES
+from swifttailor.pattern.drafts.draft_kinds import DRAFT_KINDS, DRAFT_NAMES
 
 
 def test_every_draft_has_its_kind():

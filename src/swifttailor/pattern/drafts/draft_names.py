@@ -1,84 +1,13 @@
-"""What the drafts are called and what they are, for who does not load the garments."""
+"""Drafts with their options as words name them, and what they show, for who does not load the garments."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Literal
 
+from swifttailor.pattern.drafts.draft_kinds import DRAFT_KINDS, DRAFT_NAMES
 from swifttailor.pattern.drafts.without_bib import SHOWN_WITHOUT_BIB, WITHOUT_BIB
 
-DraftKind = Literal["top", "dress", "jumpsuit", "trousers", "skirt"]
-
-DRAFT_KINDS: Mapping[str, DraftKind] = {
-    "t-shirt": "top",
-    "polo-shirt": "top",
-    "shirt": "top",
-    "tank-top": "top",
-    "camisole": "top",
-    "bandeau": "top",
-    "bustier": "top",
-    "halter-top": "top",
-    "off-shoulder-top": "top",
-    "turtleneck": "top",
-    "wrap-top": "top",
-    "peplum-top": "top",
-    "fitted-top": "top",
-    "blazer": "top",
-    "cardigan": "top",
-    "poncho": "top",
-    "waistcoat": "top",
-    "sweatshirt": "top",
-    "bomber-jacket": "top",
-    "denim-jacket": "top",
-    "hoodie": "top",
-    "fitted-dress": "dress",
-    "mermaid-dress": "dress",
-    "shirt-dress": "dress",
-    "skater-dress": "dress",
-    "wrap-dress": "dress",
-    "slip-dress": "dress",
-    "strapless-dress": "dress",
-    "strappy-dress": "dress",
-    "halter-dress": "dress",
-    "off-shoulder-dress": "dress",
-    "pinafore": "dress",
-    "apron": "dress",
-    "empire-dress": "dress",
-    "drop-waist-dress": "dress",
-    "coat": "dress",
-    "hooded-coat": "dress",
-    "cape": "dress",
-    "shift-dress": "dress",
-    "swing-dress": "dress",
-    "kaftan": "dress",
-    "robe": "dress",
-    "jumpsuit": "jumpsuit",
-    "strapless-jumpsuit": "jumpsuit",
-    "strappy-jumpsuit": "jumpsuit",
-    "halter-jumpsuit": "jumpsuit",
-    "bodysuit": "jumpsuit",
-    "swimsuit": "jumpsuit",
-    "dungarees": "jumpsuit",
-    "trousers": "trousers",
-    "jeans": "trousers",
-    "leggings": "trousers",
-    "pull-on-trousers": "trousers",
-    "joggers": "trousers",
-    "briefs": "trousers",
-    "flares": "trousers",
-    "fitted-skirt": "skirt",
-    "mermaid-skirt": "skirt",
-    "wrap-skirt": "skirt",
-    "sarong": "skirt",
-    "circle-skirt": "skirt",
-    "gathered-skirt": "skirt",
-    "tiered-skirt": "skirt",
-    "gored-skirt": "skirt",
-    "pleated-skirt": "skirt",
-}
-"""What each is measured to be."""
-DRAFT_NAMES = tuple(DRAFT_KINDS)
 _SHORT_CAPE_CM = 25.0
 """Capes that end less far below the waist are worn like tops."""
 

@@ -6,7 +6,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from swifttailor.describing.claims import Claim
-from swifttailor.pattern.drafts.draft_names import DRAFT_KINDS, NamedDraft
+from swifttailor.pattern.drafts.draft_kinds import DRAFT_KINDS
+from swifttailor.pattern.drafts.draft_names import NamedDraft
 
 _WITHOUT_LEGS = ("bodysuit", "swimsuit")
 _LEGS: Mapping[str, Mapping[str, float]] = {
