@@ -4,9 +4,13 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from swifttailor.wording.lexicon.colors import NamedColor, named_colors
+from swifttailor.wording.lexicon.vocabulary import vocabulary
+
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from swifttailor.wording.lexicon.entries import Entry
     from swifttailor.wording.lexicon.reading import WordMark
 
 _KNITS = frozenset({"jersey", "rib-knit", "sweatshirt", "ponte", "fleece"})
@@ -111,3 +115,18 @@ def holds_up(mark: WordMark, marks: Sequence[WordMark]) -> bool:
     kinds = {kind for own in marks if own.role == "garment" for entry in own.entries for kind in entry.kinds}
     braces = mark.role != "garment" and any("suspenders" in entry.cannot for entry in mark.entries)
     return braces and bool(kinds) and kinds <= _LOWER
+
+
+def part_in_english(mark: WordMark) -> str | None:
+    """The part that a detail of another language ends with in English: "manga larga", long sleeves."""
+    english = mark.entries[0].english if category_of(mark) == "styles" else None
+    return vocabulary("en").part(english.split()[-1]) if english else None
+
+
+def color_of_word(marks: Sequence[WordMark], k: int) -> NamedColor | None:
+    """The colour that the word k names, with the shade before it."""
+    pairs: list[tuple[str, Sequence[Entry]]] = [(m.word, m.entries) for m in marks[max(0, k - 1) : k + 1]]
+    if k and any(e.category == "colors" and e.color for e in marks[k - 1].entries):
+        pairs = pairs[1:]
+    found = named_colors(pairs)
+    return found[0] if found else None

@@ -11,8 +11,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from swifttailor.wording.lexicon.colors import NamedColor, named_colors
-from swifttailor.wording.lexicon.entries import Entry
+from swifttailor.wording.lexicon.colors import NamedColor
 from swifttailor.wording.lexicon.inflection import Language
 from swifttailor.wording.lexicon.look_words import (
     MOTIF,
@@ -20,6 +19,7 @@ from swifttailor.wording.lexicon.look_words import (
     SIDE_PANELS,
     STRIPES,
     category_of,
+    color_of_word,
     contrasting,
     holds_up,
     is_cloth,
@@ -28,12 +28,12 @@ from swifttailor.wording.lexicon.look_words import (
     is_outfit,
     is_way_of_cutting,
     own_looks,
+    part_in_english,
     part_of_garment,
     put_on,
 )
 from swifttailor.wording.lexicon.said_blocks import BLOCKS, blocks_named, own_colors, second_color
 from swifttailor.wording.lexicon.said_sides import with_sides
-from swifttailor.wording.lexicon.vocabulary import vocabulary
 
 if TYPE_CHECKING:
     from swifttailor.wording.lexicon.reading import WordMark
@@ -113,7 +113,7 @@ def said_looks(text: str, marks: Sequence[WordMark], language: Language) -> tupl
 
 def _of_no_part(found: Sequence[SaidLook], marks: Sequence[WordMark]) -> list[SaidLook]:
     """The colours that are said of no part."""
-    colors = [_color(marks, k) for k in range(len(marks))]
+    colors = [color_of_word(marks, k) for k in range(len(marks))]
     return [SaidLook("", "", colors[k], None, True, (marks[k],)) for k in own_colors(marks, found, colors)]
 
 
@@ -129,7 +129,7 @@ def _with_blocks(found: list[SaidLook], marks: Sequence[WordMark]) -> list[SaidL
     parts += [(look.part, mark) for look in told for mark in look.noun_marks]
     if not parts:
         return found
-    colors = [_color(marks, k) for k in range(len(marks))]
+    colors = [color_of_word(marks, k) for k in range(len(marks))]
     second = second_color(marks, found, colors)
     if blocks is not None and len(own_colors(marks, found, colors)) > 2:
         return [look for look in found if blocks not in look.noun_marks]  # bands, as a print
@@ -138,7 +138,7 @@ def _with_blocks(found: list[SaidLook], marks: Sequence[WordMark]) -> list[SaidL
     colored = {mark for look in found if look.color is not None for mark in look.noun_marks}
     if second is not None:
         shade = [marks[second - 1]] if second and any(e.shade for e in marks[second - 1].entries) else []
-        color, of = _color(marks, second), (*shade, marks[second])
+        color, of = color_of_word(marks, second), (*shade, marks[second])
         new = [SaidLook(part, m.word, color, None, True, of, (m,)) for part, m in parts if m not in colored]
         return [*[look for look in found if look not in told], *new]
     if blocks is None or colored:  # "two tone, with cream sleeves"
@@ -173,7 +173,7 @@ class _Reader:
         """What the look k says, and of what."""
         mark = self._marks[k]
         cloth = next((cloth for entry in mark.entries for cloth, _ in entry.looks), None)
-        color = _color(self._marks, k)
+        color = color_of_word(self._marks, k)
         if mark.denied:
             if cloth is None or cloth == "contrast":
                 return []
@@ -291,7 +291,7 @@ class _Reader:
             if self._is_apart(j + 1):
                 return []
             mark, word = self._marks[j], self._marks[j].word.lower()
-            if j == k - 2 and self._is_made_of(k) and (part := _part_in_english(mark)) is not None:
+            if j == k - 2 and self._is_made_of(k) and (part := part_in_english(mark)) is not None:
                 return [(j, part)]
             if self._is_noun(mark):
                 part = self._part(mark)
@@ -404,18 +404,3 @@ class _Reader:
             not self._is_apart(j)
             and self._text[self._marks[j - 1].end : self._marks[j].start].strip(" -") == ""
         )
-
-
-def _part_in_english(mark: WordMark) -> str | None:
-    """The part that a detail of another language ends with in English: "manga larga", long sleeves."""
-    english = mark.entries[0].english if category_of(mark) == "styles" else None
-    return vocabulary("en").part(english.split()[-1]) if english else None
-
-
-def _color(marks: Sequence[WordMark], k: int) -> NamedColor | None:
-    """The colour that the word k names, with the shade before it."""
-    pairs: list[tuple[str, Sequence[Entry]]] = [(m.word, m.entries) for m in marks[max(0, k - 1) : k + 1]]
-    if k and any(e.category == "colors" and e.color for e in marks[k - 1].entries):
-        pairs = pairs[1:]
-    found = named_colors(pairs)
-    return found[0] if found else None
