@@ -18,6 +18,7 @@ from answer_doubts import doubts
 from people_prompts import WORDS, Expectation, PeoplePrompt, read_people_prompts
 from swifttailor.describing import Claim
 from swifttailor.describing.claims import CLAIM_TYPES, claims_of
+from swifttailor.describing.facts import GarmentFacts, Slit
 from swifttailor.describing.measuring import measure_facts
 from swifttailor.errors import SwiftTailorError
 from swifttailor.tailor import Order
@@ -37,14 +38,21 @@ _FILES = {
 }
 
 
-def met(expected: Expectation, facts: object) -> bool:
+def met(expected: Expectation, facts: GarmentFacts) -> bool:
     """Whether one of the values holds of a garment."""
     if expected.number is not None:
         measured = CLAIM_TYPES[expected.claim].measure
         assert measured is not None
         value = measured.of(facts)
         return value is not None and abs(value - expected.number) <= expected.within
-    return any(Claim(expected.claim, value).holds(facts) for value in expected.values)
+    return any(Claim(expected.claim, value).holds(facts) for value in expected.values) or (
+        expected.claim == "slit" and any(slit.over in expected.values for slit in _slits(facts))
+    )
+
+
+def _slits(facts: GarmentFacts) -> tuple[Slit, ...]:
+    """Who asks for a slit on the left may get it over the left leg, as in front in GarmentCode's skirts."""
+    return () if facts.skirt is None else facts.skirt.slits
 
 
 def judge(prompt: PeoplePrompt, tailor: swifttailor.Tailor, counts: Counter[str], misses: list[str]) -> None:

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import pytest
 
+from swifttailor.describing.differences import Step
 from swifttailor.pattern import check_pattern
 from swifttailor.pattern.drafts import draft
 from swifttailor.pattern.pattern import Pattern
-from swifttailor.recutting.levers.slits import open_slit
+from swifttailor.recutting.alter import alter
+from swifttailor.recutting.levers.slits import closed, open_slit
 from swifttailor.recutting.table.cutter import Cutter
 from swifttailor.recutting.ways.parted_slits import parted_slit, slit_over_leg
 
@@ -25,6 +27,7 @@ def test_it_is_cut_over_that_leg(place):
     assert after is not None
     (slit,) = Cutter(after).facts.skirt.slits
     assert slit.place == "front" and slit.height == pytest.approx(46.0, abs=2.0) and slit.width > 12.0
+    assert slit.over == place
     hem = after.panel("skirt_front").to_world(after.panel("skirt_front").vertices)
     x = hem[(hem[:, 1] > hem[:, 1].min() + 40.0) & (hem[:, 1] < hem[:, 1].max() - 20.0), 0]
     assert abs(x * (1 if place == "left" else -1) - 13.0).min() < 1.5
@@ -47,6 +50,17 @@ def test_a_much_lower_one_is_sewn_shut():
     after = slit_over_leg(lower)
     assert [slit.place for slit in Cutter(after).facts.skirt.slits] == ["front"]
     assert slit_over_leg(open_slit(Cutter(gown("left")), "right", 40.0, 2.0)) is None
+
+
+def test_a_slit_over_a_joint_is_closed_down_to_the_hem():
+    high = alter(gown("left", 24.0), [Step("left slit", 1, 14.0)]).pattern
+    assert Cutter(high).facts.skirt.slits[0].height == pytest.approx(38.0, abs=1.0)
+    shut = closed(Cutter(high))
+    assert shut is not None and Cutter(shut).facts.skirt.slits == ()
+    after = slit_over_leg(high)
+    assert after is not None
+    (slit,) = Cutter(after).facts.skirt.slits
+    assert slit.place == "front" and slit.over == "left"
 
 
 @pytest.mark.parametrize("part", [parted_slit, slit_over_leg])

@@ -27,6 +27,9 @@ from swifttailor.wishes.outfits.side_remarks import without_side_remarks
         ("pinafore for over a polo neck, mustard", "pinafore, mustard"),
         ("vest top for under shirts, white", "vest top, white"),
         ("a gilet for wearing over a thick jumper", "a gilet"),
+        ("a long sleeve base layer with a turtleneck", "a long sleeve base layer with a turtleneck"),
+        ("a top, slim fit with a polo neck", "a top, slim fit with a polo neck"),
+        ("a top, fits with a skirt", "a top"),
         (
             "racerback, long enough to cover the waistband of my leggings",
             "racerback, long enough to cover it",

@@ -27,6 +27,13 @@ from swifttailor.wishes.text.spoken_sides import blanked, spoken_sides
         ("bare left shoulder", {"shoulders": "bare left"}),
         ("left sleeve long, right arm completely bare", {"left_sleeve": "long", "sleeves": "left only"}),
         ("no left sleeve", {"sleeves": "right only"}),
+        ("one long sleeve and one bare arm", {"sleeves": "left only", "left_sleeve": "long"}),
+        (
+            "one arm bare, the other in a short sleeve",
+            {"sleeves": "left only", "left_sleeve": "short"},
+        ),
+        ("one arm completely bare", {"sleeves": "left only"}),
+        ("bare arms", {}),
         ("left leg bare", {}),
         ("long sleeves", {}),
         ("sleeves left long", {}),

@@ -19,6 +19,14 @@ from swifttailor.wishes.text.text_as_read import text_as_read
         ("a gown for the hospital", "a hospital gown"),
         ("a dress for a night out", "a dress for a night out"),
         ("sleeves, e.g. puffed", "sleeves, for example puffed"),
+        ("a broad band, say 7 cm", "a broad band 7 cm"),
+        ("I say long", "I say long"),
+        ("a kimono-sleeved top", "a kimono sleeves top"),
+        ("a V-backed dress", "a V back dress"),
+        ("frill-hemmed dress", "frill hem dress"),
+        ("a bell-sleeved top", "a bell-sleeved top"),  # that the lexicon has
+        ("one-sleeved dress", "one-sleeved dress"),
+        ("a wuzzle-necked dress", "a wuzzle-necked dress"),
     ],
 )
 def test_numbers_of_lists_and_slips_are_put_right(text, read):

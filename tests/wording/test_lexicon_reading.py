@@ -534,3 +534,16 @@ def test_another_garment_beneath_is_told(text, told):
 )
 def test_what_was_dropped_silently_is_told(text, what):
     assert what in {lack.what for lack in read_words(text).lacks if lack.said}
+
+
+@pytest.mark.parametrize(
+    ("text", "kind"),
+    [
+        ("leggings in nylon spandex", "trousers"),
+        ("shorts in lycra", "shorts"),
+        ("long sleeves and wide legs", "jumpsuit"),
+    ],
+)
+def test_close_cloth_makes_no_jumpsuit_of_leggings(text, kind):
+    kinds = {i.claim.value for i in read_words(text).implications if i.claim.name == "kind"}
+    assert kinds == {kind} or (kind == "trousers" and not kinds)  # what leggings are, their draft says

@@ -199,6 +199,8 @@ class Slit:
     height: float
     width: float
     """Distance of its two lower ends in the flat panel; large where a wedge is cut out."""
+    over: Literal["left", "right"] | None = None
+    """The leg that one in front or behind is over; None of one in the middle, or at a side."""
 
 
 @dataclass(frozen=True)

@@ -26,8 +26,6 @@ _OF_THE_CUT = frozenset({"fits", "lengths", "styles", "parts"})
 _APART = frozenset({"kind", "sides"})
 """Claims that are about all of a garment, and told elsewhere."""
 
-_SIDE_SLITS = (Claim("slit", "left"), Claim("slit", "right"))
-
 
 def said_and_not_so(answer: Answer) -> tuple[tuple[str, Change], ...]:
     """Words of a description that say something of the cut, by definition or of a detail, and are not so.
@@ -54,8 +52,7 @@ def said_and_not_so(answer: Answer) -> tuple[tuple[str, Change], ...]:
     so = {gain.claim.name for gain in gains if gain.holds(facts, facts)}
     numbers = [mention.end for mention in find_mentions(wanted.heard.text)]
     slits = () if facts.skirt is None else facts.skirt.slits
-    # Cut as a wedge over that leg, where it is seen (`slits_seen`).
-    over_leg = _SIDE_SLITS if any(slit.place == "front" and slit.width > 0.0 for slit in slits) else ()
+    over_leg = [Claim("slit", slit.over) for slit in slits if slit.over]  # where it is seen (`slits_seen`)
     said: dict[tuple[int, str], list[Gain]] = {}
     for each in words.implications:
         firm = each.said or each.certainty == "certain"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 
 from swifttailor.describing.differences import Gain
@@ -9,7 +10,7 @@ from swifttailor.recutting.ways.parted_slits import parted_slit, slit_over_leg
 from swifttailor.tailor.answer import Answer
 
 _OF_SLITS = frozenset({"slit", "slit_size", "slit_cm"})
-_AT_SIDE = "side"
+_AT_SIDE = re.compile(r"(?<!\w)sides?(?!\w)", re.IGNORECASE)
 """Who says so wants it in the seam."""
 
 
@@ -24,7 +25,6 @@ def with_slit_seen(answer: Answer) -> Answer:
     asked = [wish.change.claim for wish in wanted.heard.sure if isinstance(wish.change, Gain)]
     if not any(claim.name in _OF_SLITS and claim.value != "none" for claim in asked):
         return answer
-    words = wanted.heard.words
-    at_side = words is not None and any(_AT_SIDE in mark.word.lower() for mark in words.marks)
+    at_side = bool(_AT_SIDE.search(wanted.heard.text))
     pattern = (None if at_side else slit_over_leg(answer.pattern)) or parted_slit(answer.pattern)
     return answer if pattern is None else replace(answer, pattern=pattern)

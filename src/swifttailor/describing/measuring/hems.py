@@ -18,6 +18,8 @@ from swifttailor.pattern import EdgeRef
 _STEEP = 0.8
 """A border edge that rises by more of its own length is the side of a slit, not hem."""
 _SHORTEST_SLIT_CM = 2.0
+_OVER_LEG_CM = 6.0
+"""A slit that is nearer to the middle is over neither leg."""
 _SECTOR_DEGREES = 35.0
 _ARC_CM, _WIDEST_ARC_CM, _ARCS = 1.5, 30.0, 3
 """How far a scallop hangs down at least, how long it is at most, and how many of them a panel has."""
@@ -148,5 +150,7 @@ def _slits(anatomy: Anatomy, worn: Worn, steep: Sequence[EdgeRef]) -> tuple[Slit
         top = cloth.world[samples[levels.argmax()]]
         same_panel = len({r.panel for r in refs}) == 1
         width = float(np.ptp(cloth.world[samples[lower]], axis=0).max()) if same_panel else 0.0
-        slits.append(Slit(place_of(top), height, width))
+        place, x = place_of(top), float(top[0])
+        over = None if place in ("left", "right") or abs(x) < _OVER_LEG_CM else "left" if x > 0.0 else "right"
+        slits.append(Slit(place, height, width, over))
     return tuple(sorted(slits, key=lambda s: (s.place, s.height)))

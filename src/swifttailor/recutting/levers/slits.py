@@ -41,9 +41,18 @@ def slit_sides(cutter: Cutter, place: Place | None = None) -> list[tuple[EdgeRef
 
 
 def closed(cutter: Cutter, place: Place | None = None) -> Pattern | None:
-    """The pattern with its slits closed; None where there are none."""
-    sides = slit_sides(cutter, place)
-    return close_slits(cutter.pattern, sides) if sides else None
+    """The pattern with its slits closed; None where there are none.
+
+    Of a seam with joints what is open below one meets only once what is above it is closed.
+    """
+    shut = None
+    while sides := slit_sides(cutter, place):
+        shut = close_slits(cutter.pattern, sides)
+        steep = len(cutter.anatomy.hem.edges) - len(cutter.hem) if cutter.anatomy.hem else 0
+        if steep <= 2 * len(sides):
+            break
+        cutter = cutter.with_pattern(shut)
+    return shut
 
 
 def recut_closed(

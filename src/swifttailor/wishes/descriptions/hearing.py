@@ -61,6 +61,7 @@ from swifttailor.wishes.text.accounting import subjects_spoken_of, unaccounted
 from swifttailor.wishes.text.lexicon_spelling import guessed_name
 from swifttailor.wishes.text.spoken_faces import spoken_faces
 from swifttailor.wishes.text.spoken_hems import spoken_bounds, spoken_hem, spoken_slit
+from swifttailor.wishes.text.spoken_levels import spoken_levels
 from swifttailor.wishes.text.spoken_measures import SpokenMeasure, can_measure, same_number, spoken_measures
 from swifttailor.wishes.text.spoken_sides import spoken_sides, without_spans
 from swifttailor.wishes.text.text_as_read import ENGLISH, lacks_of, text_as_read
@@ -129,6 +130,8 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
     said = [m.claim for m in measures if m.claim is not None] + ([] if hem is None else [hem])
     said += sides.claims
     said += (bounds := spoken_bounds(text, words, named))
+    known = {claim.name for claim in said}
+    said += [claim for claim in spoken_levels(text, words, named) if claim.name not in known]
     slit = spoken_slit(text, words)
     if slit is not None and (named is None or fits_kind(slit.name, named)):
         said.append(slit)
@@ -171,7 +174,7 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
             never=unsaid,
             subjects=_only_subjects(words),
         )
-    found = within_the_name(without_wrong_kind(found, said, words), words)
+    found = within_the_name(without_wrong_kind(found, said, words), words, said)
     found = weighed_all(with_one_band(found, words), {i.claim for i in words.implications if not i.said})
     found = without_flared_legs(found, [e for m in words.marks if not m.denied for e in m.entries])
     found = (*without_deep_cuffs(text, words, without_flare(found)), *of_both_faces(text, found))
@@ -188,8 +191,10 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
     changes = _changes(found)
     slits = sum(isinstance(c, Gain) and c.claim.name == "slit" for c in changes)
     heard = [m.mention for m in measures if m.claim or (not m.mention.is_length and m.mention.value <= slits)]
-    known = " ".join([*words.sizes, f"{buttons_stated(text) or ''}", *[text[m.start : m.end] for m in heard]])
-    unread = *words.unknown, *[n for n in unread_numbers(text, changes) if n not in known]
+    counted = " ".join(
+        [*words.sizes, f"{buttons_stated(text) or ''}", *[text[m.start : m.end] for m in heard]]
+    )
+    unread = *words.unknown, *[n for n in unread_numbers(text, changes) if n not in counted]
     sure, likely = sure_wishes(found), likely_wishes(found)
     silent = unaccounted(
         words,

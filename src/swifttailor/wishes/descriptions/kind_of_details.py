@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 
 from swifttailor.describing.claims import Claim
 from swifttailor.describing.differences import Gain
@@ -55,11 +55,18 @@ def without_wrong_kind(
     return tuple([w for w in found if not isinstance(w.change, Gain) or _fits(w.change, wrong, meant)])
 
 
-def within_the_name(found: Sequence[Wish], words: WordReading) -> tuple[Wish, ...]:
+def within_the_name(
+    found: Sequence[Wish], words: WordReading, stated: Collection[Claim] = ()
+) -> tuple[Wish, ...]:
     """Without what a network reads against the name of the garment, where no word speaks of it.
 
     A coverall has sleeves unless somebody says otherwise, whose it ever was. Words that nobody knows may be
     about sleeves, too, unless they are names.
+
+    Args:
+        found: What is read.
+        words: By the lexicon.
+        stated: What is read by rules, in words that the lexicon may not know as they stand.
     """
     if any(not word[:1].isupper() for word in words.unknown):
         return tuple(found)
@@ -73,6 +80,7 @@ def within_the_name(found: Sequence[Wish], words: WordReading) -> tuple[Wish, ..
             for wish in found
             if not isinstance(wish.change, Gain)
             or wish.change.claim in implied
+            or wish.change.claim in stated
             or wish.change.claim.name in spoken
             or not (wish.change.claim in against or any(exclude(wish.change.claim, other) for other in meant))
         ]

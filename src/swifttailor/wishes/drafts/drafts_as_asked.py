@@ -86,8 +86,15 @@ _PIECES: Mapping[str, tuple[str, int, int]] = {
 }
 """Option and claim of a number of pieces, and how few and many can be drafted."""
 _SLITS = (Claim("slit", "left"), Claim("slit", "right"))
-_SLIT_AT_THE_SIDES = ("t-shirt", "tank-top", "turtleneck", "shift-dress", "hooded-coat")
+_SLIT_AT_THE_SIDES = (
+    *("t-shirt", "tank-top", "turtleneck", "shift-dress", "hooded-coat"),
+    *("shirt", "polo-shirt", "kaftan"),
+)
 _SLIT_CM, _HIGH_SLIT_CM = 14.0, 30.0
+_LONG_SLEEVED_KNIT = (
+    *(("length", 26.0), ("chest_ease", 16.0), ("sleeve_length", 60.0)),
+    *(("sleeve_end", 24.0), ("arm_ease", 9.0)),
+)
 _HIGH_SLIT = Claim("slit_size", "high")
 _SLIT_SKIRT_CM = 72.0
 _BIBBED, _WIDE_STRAP_CM = ("dungarees", "pinafore", "apron"), 6.0
@@ -124,8 +131,11 @@ def draft_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft | N
     draft = _with_v_neck(_with_hood(_worn_over(draft, claims), claims), claims)
     draft = _with_close_neck(draft, claims)
     slit_by_name = SIDE_SLITS in dict(draft.options)
-    if draft.name in _SLIT_AT_THE_SIDES and not slit_by_name and all(slit in claims for slit in _SLITS):
-        slit = _HIGH_SLIT_CM if _HIGH_SLIT in claims else _SLIT_CM
+    slit_twice = not slit_by_name and all(slit in claims for slit in _SLITS)
+    if draft.name == _SWEATSHIRT and slit_twice:  # no band goes around an open hem
+        draft = NamedDraft("t-shirt", _LONG_SLEEVED_KNIT)
+    if draft.name in _SLIT_AT_THE_SIDES and slit_twice:
+        slit = _HIGH_SLIT_CM if _HIGH_SLIT in claims or draft.name == "kaftan" else _SLIT_CM
         draft = replace(draft, options=(*draft.options, (SIDE_SLITS, slit)))
     if draft.name in _BIBBED and Claim("straps", "wide") in claims:
         draft = replace(draft, options=(*draft.options, (STRAP_WIDTH, _WIDE_STRAP_CM)))

@@ -53,6 +53,8 @@ _REMARKS = (
         re.IGNORECASE,
     ),
 )
+_NOUN = re.compile(r"\s*(?:fit|style|layer|drape|slip|wear|match)\s+with(?!\w)", re.IGNORECASE)
+"""What is no verb behind another word: "slim fit with a turtleneck"."""
 _OWNED = (
     re.compile(
         rf",?\s*(?<![\w-])(?:and |but |as |because |since )?(?:the|my|his|her) {_WORDS_BEFORE}{_HEAD} "
@@ -84,6 +86,8 @@ def without_side_remarks(text: str) -> str:
     """
     for pattern in (*_REMARKS, *_OWNED, _PLACE_ON):
         for found in reversed(list(pattern.finditer(text))):
+            if _NOUN.match(found[0]) and text[: found.start()].rstrip()[-1:].isalnum():
+                continue
             put = " it" if pattern is _PLACE_ON else ""
             rest = (text[: found.start()].rstrip() + put + text[found.end() :]).strip()
             if _names_a_garment(text[: found.start()]) or _names_a_garment(rest) or pattern is _PLACE_ON:

@@ -143,6 +143,9 @@ def spoken_bounds(text: str, words: WordReading, kind: str | None = None) -> lis
     return found
 
 
+_LEG = re.compile(r"(?<!\w)(left|right) (?:leg|thigh)(?!\w)")
+
+
 def spoken_slit(text: str, words: WordReading) -> Claim | None:
     """Where a slit is whose place stands apart from it: "slit to mid-thigh on the right"."""
     if any(i.claim.name == "slit" for i in words.implications):
@@ -152,5 +155,7 @@ def spoken_slit(text: str, words: WordReading) -> Claim | None:
             continue
         clause = re.split(r"[.;,\n]", text[mark.start :].lower())[0]
         place = re.search(rf"(?<!\w)(?:{_PLACE})(?!\w)", clause)
+        if place is None and (leg := _LEG.search(text.lower())):
+            return Claim("slit", leg[1])
         return Claim("slit", next(name for name in _OTHER_SIDE if place[name]) if place else "left")
     return None

@@ -52,6 +52,19 @@ _BARE_ARM = re.compile(
     rf"|(?<!\w)(?:bare|naked|exposed|uncovered|no) (?P<said>left|right) {_ARM}"
     rf"|(?<!\w)no sleeve on (?:the |my )?(?P<named>left|right)(?: side| arm)?(?!\w)"
 )
+_BARE = "(?:bare|bared|naked|uncovered|exposed|sleeveless)"
+_ONE_BARE = re.compile(
+    rf"(?<!\w)(?:one|the other|other) {_BARE} {_ARM}"
+    rf"|(?<!\w)(?:one|the other|other) {_ARM} {_HOW}{_BARE}(?!\w)"
+    rf"|(?<!\w){_ARM},?(?: and)? the other (?:one )?{_HOW}{_BARE}(?!\w)"
+)
+_ONE_SLEEVE = re.compile(
+    rf"(?<!\w)(?:one|a single|just one|only one) (?P<length>{_LENGTH})(?:[- ]length)?"
+    rf" (?:[\w-]+ )?sleeve(?!\w)"
+    rf"|(?<!\w)(?:one|other) (?:sleeve|{_ARM}) (?:is )?(?P<behind>{_LENGTH})(?!\w)"
+    rf"|(?<!\w)(?:the )?other (?:one )?(?:in|with|has) an? (?P<worn>{_LENGTH}) sleeve(?!\w)"
+)
+"""One arm alone is bare, and nothing tells which: it is the right one then."""
 _SIDE_ARM = re.compile(rf"(?<!\w)(?P<side>left|right) {_ARM}")
 
 
@@ -116,6 +129,11 @@ def _uncovered(text: str) -> Iterator[tuple[Claim, tuple[int, int]]]:
     if len(arms) == 1 and not sides and re.search(rf"(?<!\w)(?:sleeves?|arms?|{_ARM})(?!\w)", text):
         ((side, span),) = arms.items()
         yield Claim("sleeves", f"{_OTHER[side]} only"), span
+    elif not arms and not sides and (bare := _ONE_BARE.search(text)):
+        yield Claim("sleeves", "left only"), bare.span()
+        if length := _ONE_SLEEVE.search(text):
+            said = length["length"] or length["behind"] or length["worn"]
+            yield Claim("left_sleeve", _LENGTHS[said]), length.span()
 
 
 def without_spans(words: WordReading, spans: Sequence[tuple[int, int]]) -> WordReading:

@@ -6,6 +6,7 @@ import re
 from collections.abc import Sequence
 
 from swifttailor.describing.differences import Change
+from swifttailor.wishes.text.joined_words import with_parts_apart
 from swifttailor.wishes.text.lexicon_spelling import is_garment, lexicon_spelling
 from swifttailor.wishes.text.spelling import common_slip, put_right
 from swifttailor.wishes.text.spoken_measures import SpokenMeasure
@@ -22,6 +23,8 @@ _SHORTENED = (
     (re.compile(r"(?<!\w)(?:resp|cf|viz|incl)\.(?!\w)", re.IGNORECASE), "with"),
 )
 """What is written short, and what it stands for."""
+_SAY = re.compile(r",?\s+(?:let['’]?s )?say,?\s+(?=\d)", re.IGNORECASE)
+"""What stands before a number that is only a suggestion: "a broad band, say 7 cm"."""
 _BODY = re.compile(rf"(?<!\w)(my|her|his|their|your) ({_LEVELS})(?!\w)", re.IGNORECASE)
 _REACHES = re.compile(
     r"(?<!\w)(?:touch|touching|reach|reaching|hit|hitting|graze|skim|meet|go down to|come down to) "
@@ -105,10 +108,11 @@ def _turned(text: str) -> str:
 
     text = _NONE_OF.sub(r"no \1", text)
     text = _without_list_numbers(_corrected(_WITHDRAWN.sub("", text)))
+    text = _SAY.sub(" ", text)
     text = _ABOUT.sub(r"\1 ", text)
     for short, long in _SHORTENED:
         text = short.sub(long, text)
-    text = _FROM.sub(turned, _OF.sub(turned, text))
+    text = with_parts_apart(_FROM.sub(turned, _OF.sub(turned, text)))
     return _BODY.sub(r"the \2", _REACHES.sub(r"to the \2", text))
 
 

@@ -48,6 +48,7 @@ class PoloShirtOptions:
     sleeve_length: declared.SleeveLength = 22.0
     arm_ease: declared.ArmEase = 7.0
     sleeve_end: declared.SleeveEnd = 33.0
+    side_slits: declared.SideSlits = 0.0
     waist_shaping: declared.WaistShaping = 0.0
 
 
@@ -110,6 +111,7 @@ def _lay_left(
         shoulder_extension=extension if sleeve is not None else -_INSET_CM,
         front_slit=opening,
         front_opening=_HEM_OPENING_CM if opening else 0.0,
+        side_slits=options.side_slits,
         waist_shaping=options.waist_shaping,
         side_rise=options.hem_rise if isinstance(options, ShirtOptions) else 0.0,
     )

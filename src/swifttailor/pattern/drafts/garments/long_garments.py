@@ -160,6 +160,7 @@ class KaftanOptions:
     sleeve_length: declared.SleeveLength = 48.0
     arm_ease: WideArmEase = 46.0
     sleeve_end: WideSleeveEnd = 70.0
+    side_slits: declared.SideSlits = 0.0
 
 
 def draft_kaftan(options: KaftanOptions, measurements: Measurements) -> Pattern:
@@ -174,6 +175,7 @@ def draft_kaftan(options: KaftanOptions, measurements: Measurements) -> Pattern:
         hip_ease=20.0,
         flare=options.flare,
         shoulder_extension=options.shoulder_extension,
+        side_slits=options.side_slits,
     )
     sleeve = Sleeve(options.sleeve_length, options.arm_ease, options.sleeve_end, 0.01)
     return _with_sleeves(table, figure, bodice, sleeve)

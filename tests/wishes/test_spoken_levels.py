@@ -1,0 +1,59 @@
+"""Where garments and sleeves end, as people say it."""
+
+from __future__ import annotations
+
+import pytest
+
+from swifttailor.wishes.text.spoken_levels import spoken_levels
+from swifttailor.wording.lexicon import read_words
+
+
+def heard(text: str) -> dict[str, object]:
+    words = read_words(text)
+    kind = next((str(i.claim.value) for i in words.implications if i.claim.name == "kind"), None)
+    return {claim.name: claim.value for claim in spoken_levels(text, words, kind)}
+
+
+@pytest.mark.parametrize(
+    ("text", "claims"),
+    [
+        ("sundress that stops at my ankles", {"skirt_hem": "ankle"}),
+        ("every sundress drags, need one that stops at my ankles", {"skirt_hem": "ankle"}),
+        ("a skirt ending just above my knee", {"skirt_hem": "above the knee"}),
+        ("a coat that covers my knees", {"skirt_hem": "below the knee"}),
+        ("trousers finishing at my shins", {"leg_hem": "calf"}),
+        ("cargo shorts that go past the knee", {"leg_hem": "knee"}),
+        ("a blouse that hits the hip bone", {"top_hem": "high hip"}),
+        ("a jumper whose hem sits at the waist", {"top_hem": "waist"}),
+        ("dress, sleeves that stop at the elbows", {"sleeves": "elbow"}),
+        ("top with sleeves reaching my wrists", {"sleeves": "long"}),
+    ],
+)
+def test_what_ends_somewhere_is_heard(text, claims):
+    assert heard(text) == claims
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "dress with a slit to the thigh",
+        "dress, fitted to the knee then flared",
+        "gown with a train reaching the floor",
+        "shirt with buttons down to the waist",
+        "dress with long sleeves that touch the floor",
+        "skirt with fringe reaching the knee",
+        "dress with a sash hanging to the ankle",
+        "top gathered at the waist",
+        "blouse tied at the waist",
+        "trousers narrow at the ankle",
+        "tunic to wear over leggings that end at the calf",
+        "skirt not below the knee",
+        "dress with boots coming to the knee",
+    ],
+)
+def test_what_is_said_of_something_else_is_not(text):
+    assert heard(text) == {}
+
+
+def test_what_the_lexicon_has_is_left_to_it():
+    assert heard("a dress to the knee") == {}
