@@ -18,6 +18,7 @@ from swifttailor.tailor.answer import Answer
 from swifttailor.tailor.candidates import Candidate, CandidateList
 from swifttailor.tailor.drafted import draft_candidates
 from swifttailor.tailor.fitting import cut_from, fit, from_edit
+from swifttailor.tailor.keeping_kinds import keeps_its_kind
 from swifttailor.tailor.looking import ReadsPictures
 from swifttailor.tailor.made_anew import anew_from_known
 from swifttailor.tailor.offers import Offers, Sample
@@ -50,7 +51,8 @@ def write_patterns(
 
     The first attempt is with a draft where words name a garment that one shows; the next is with a draft of
     the design parameters that are read in what is wanted, and then come known patterns, where anything is
-    known of it; the others are written.
+    known of it; the others are written. A draft of what nothing else knows is kept where it lacks no more
+    than details (`keeping_kinds`).
 
     Sound are those of which a check doubts nothing but what it doubted of the pattern to edit before, which
     can be sewn, and of which everything holds that was asked for. Where none is, the best is taken that can
@@ -95,6 +97,7 @@ def write_patterns(
             for k, answers in enumerate(tried)
             if k not in kept
             and (not answers or (answers[-1].verdict.fault and not only_drafts[k]))
+            and not (attempt >= begun[k] and any(map(keeps_its_kind, answers)))
             and not (
                 answers
                 and answers[-1].verdict.is_merely_odd

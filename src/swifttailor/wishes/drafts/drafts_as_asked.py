@@ -132,7 +132,8 @@ def draft_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft | N
     draft = _with_close_neck(draft, claims)
     slit_by_name = SIDE_SLITS in dict(draft.options)
     slit_twice = not slit_by_name and all(slit in claims for slit in _SLITS)
-    if draft.name == _SWEATSHIRT and slit_twice:  # no band goes around an open hem
+    short = any(Claim("sleeves", length) in claims for length in _SHORT)
+    if draft.name == _SWEATSHIRT and (slit_twice or short):  # no band goes around an open hem or a wide arm
         draft = NamedDraft("t-shirt", _LONG_SLEEVED_KNIT)
     if draft.name in _SLIT_AT_THE_SIDES and slit_twice:
         slit = _HIGH_SLIT_CM if _HIGH_SLIT in claims or draft.name == "kaftan" else _SLIT_CM

@@ -52,6 +52,15 @@ _COVERED: Mapping[str, Mapping[str, _Values]] = {
     "shorts": _OF_LEGS,
 }
 """By kinds, what names may mean that drafts of these kinds have, or that can be cut into them."""
+_CUT_INTO_NAMED: Mapping[str, Mapping[str, _Values]] = {
+    "dress": {
+        "skirt": frozenset({"tiered", "gathered tiers", *(_OF_SKIRTS["skirt"] or ())}),
+        "hem_shape": ("high-low", "lower left", "lower right", "level"),
+        **dict.fromkeys(("back_depth", "back_neckline", "slit", "slit_size"), _ANY),
+    },
+    "top": dict.fromkeys(("back_depth", "back_neckline"), _ANY),
+}
+"""What is cut into the drafts of names besides: a "backless dress" is a plain one without a back."""
 _DRAFTS: Mapping[str, NamedDraft] = {
     "top": NamedDraft.parse("t-shirt(neck_widening=1.5)"),
     "tunic": NamedDraft.parse("t-shirt(length=38;chest_ease=14;neck_widening=1)"),
@@ -81,10 +90,14 @@ def draft_of_name(entry: Entry, kind: str, asked: Sequence[Claim]) -> NamedDraft
         kind: Of the garment.
         asked: What is asked for besides.
     """
-    covered = _COVERED.get(kind)
+    covered = {**_COVERED.get(kind, {}), **_CUT_INTO_NAMED.get(kind, {})}
     meant = [each.claim for each in entry.implied if each.certainty != "likely" and each.claim.name != "kind"]
     meant = [claim for claim in meant if not any(exclude(claim, other) for other in asked)]
-    if covered is None or entry.category != "garments" or not all(_has(covered, claim) for claim in meant):
+    if (
+        kind not in _COVERED
+        or entry.category != "garments"
+        or not all(_has(covered, claim) for claim in meant)
+    ):
         return None
     return _as_asked(kind, (*asked, *meant))
 

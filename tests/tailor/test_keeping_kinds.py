@@ -1,0 +1,42 @@
+"""A jacket that lacks a detail stays a jacket."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from swifttailor.describing import Claim
+from swifttailor.describing.differences import Gain
+from swifttailor.pattern.drafts import list_drafts
+from swifttailor.tailor import Order, Tailor
+from swifttailor.tailor.keeping_kinds import OF_NO_OTHER_SOURCE, keeps_its_kind
+
+
+@pytest.fixture(scope="module")
+def jacket():
+    (answer,) = Tailor.load().write([Order("jacket with cuffs")])
+    return answer
+
+
+def test_the_drafts_are_ours():
+    assert {one.name for one in list_drafts()} >= OF_NO_OTHER_SOURCE
+
+
+def test_it_is_kept_and_said(jacket):
+    assert jacket.draft == "blazer" and keeps_its_kind(jacket)
+    assert jacket.verdict.open == (Gain(Claim("cuffs", "band")),)
+
+
+@pytest.mark.parametrize(
+    "others",
+    [
+        {"open": ()},
+        {"open": (Gain(Claim("sleeves", "short")),)},
+        {"open": (Gain(Claim("cuffs", "band")), Gain(Claim("kind", "dress")))},
+        {"refused": (Gain(Claim("collar", "lapel")),)},
+    ],
+)
+def test_what_lacks_nothing_or_more_than_details_is_not(jacket, others):
+    assert not keeps_its_kind(replace(jacket, verdict=replace(jacket.verdict, **others)))
+    assert not keeps_its_kind(replace(jacket, draft="t-shirt"))
