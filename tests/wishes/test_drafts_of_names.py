@@ -31,7 +31,9 @@ def named(text):
         ("Regency gown", "dress", [], "empire-dress"),
         ("superhero costume", "jumpsuit", [], "jumpsuit"),
         ("gathered dress", "dress", [Claim("shoulders", "strapless")], "strapless-dress"),
-        ("tiered dress", "dress", [], None),
+        ("tiered dress", "dress", [], "skater-dress"),
+        ("backless dress", "dress", [], "skater-dress"),
+        ("high low dress", "dress", [], "skater-dress"),
         ("drop waist dress", "dress", [], None),
     ],
 )
