@@ -95,11 +95,11 @@ def test_a_slit_in_a_long_skirt_opens_to_above_the_knee():
     said = Gain(Claim("slit", "left"))
     cut = alter(pattern, [said])
     (wish,) = well_within([said], cut.facts)
-    assert isinstance(wish, Gain) and wish.claim.name == "slit_cm"
+    assert isinstance(wish, Step) and wish.quantity == "left slit"
     again = alter(cut.pattern, [said, wish]).facts
     assert again.skirt is not None and again.hem is not None
     top = again.hem.level + max(slit.height for slit in again.skirt.slits)
-    assert again.body.knee < top < again.body.knee + 12.0
+    assert again.body.knee + 9.0 < top < again.body.knee + 17.0
     assert well_within([Gain(Claim("slit", "back"))], cut.facts) == ()
 
 

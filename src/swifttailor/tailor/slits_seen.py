@@ -5,16 +5,14 @@ from __future__ import annotations
 from dataclasses import replace
 
 from swifttailor.describing.differences import Gain
-from swifttailor.recutting.ways.parted_slits import parted_slit, slit_over_leg
+from swifttailor.recutting.ways.parted_slits import parted_front, parted_sides, parted_slit, slit_over_leg
 from swifttailor.tailor.answer import Answer
 
 _OF_SLITS = frozenset({"slit", "slit_size", "slit_cm"})
-_AT_SIDE = "side"
-"""Who says so wants it in the seam."""
 
 
 def with_slit_seen(answer: Answer) -> Answer:
-    """The answer; where a text asks for a slit, with it over the leg, or at the side with the front cut away.
+    """The answer; where a text asks for slits, with them over the leg, cut as a wedge or the front cut away beside.
 
     Patterns to edit keep theirs.
     """
@@ -24,7 +22,7 @@ def with_slit_seen(answer: Answer) -> Answer:
     asked = [wish.change.claim for wish in wanted.heard.sure if isinstance(wish.change, Gain)]
     if not any(claim.name in _OF_SLITS and claim.value != "none" for claim in asked):
         return answer
-    words = wanted.heard.words
-    at_side = words is not None and any(_AT_SIDE in mark.word.lower() for mark in words.marks)
-    pattern = (None if at_side else slit_over_leg(answer.pattern)) or parted_slit(answer.pattern)
+    before = answer.pattern
+    ways = (slit_over_leg, parted_slit, parted_sides, parted_front)
+    pattern = next((done for way in ways if (done := way(before)) is not None), None)
     return answer if pattern is None else replace(answer, pattern=pattern)

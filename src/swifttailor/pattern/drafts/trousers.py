@@ -30,6 +30,8 @@ CLOSE_REACH = 0.8
 """Of slim legs, which have less cloth at the thigh."""
 SIDE_SHARE = 0.27
 """Slim legs narrow at the side seams as much as at the inseams, so that they hang around the calves."""
+NARROWING_CM = -9.0
+"""Wider legs whose hems are so much narrower than the knee do, too: else a calf catches them as they fall."""
 CLOSE_LEGS_CM = 3.5
 """Legs with less room than this lie close all the way down, as of jersey."""
 SLANT = 2.0

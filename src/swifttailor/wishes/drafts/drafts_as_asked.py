@@ -89,7 +89,7 @@ _SLITS = (Claim("slit", "left"), Claim("slit", "right"))
 _SLIT_AT_THE_SIDES = ("t-shirt", "tank-top", "turtleneck", "shift-dress", "hooded-coat")
 _SLIT_CM, _HIGH_SLIT_CM = 14.0, 30.0
 _HIGH_SLIT = Claim("slit_size", "high")
-_SLIT_SKIRT_CM = 72.0
+_SLIT_SKIRT_CM, _SLIT_FLARE = 72.0, 4.0
 _BIBBED, _WIDE_STRAP_CM = ("dungarees", "pinafore", "apron"), 6.0
 
 
@@ -140,7 +140,8 @@ def draft_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft | N
     draft = hooded_as_asked(draft, claims)
     draft = _without_sleeves(_standing(_with_collar(draft, claims), claims), claims)
     if draft.name == "circle-skirt" and any(claim.name == "slit" for claim in claims):
-        draft = NamedDraft("fitted-skirt", (("flare", 6.0),))
+        kept = {name: value for name, value in draft.options if name in ("length", "band_height")}
+        draft = NamedDraft("fitted-skirt", tuple({**kept, "flare": _SLIT_FLARE}.items()))
     if draft.name == "circle-skirt" and _GATHERED_SKIRT in claims:
         draft = NamedDraft("gathered-skirt", tuple([o for o in draft.options if o[0] == "length"]))
     if draft.name == "shirt-dress" and _GATHERED_SKIRT in claims:
