@@ -12,7 +12,7 @@ _OF_SLITS = frozenset({"slit", "slit_size", "slit_cm"})
 
 
 def with_slit_seen(answer: Answer) -> Answer:
-    """The answer; where a text asks for slits, with them over the leg, cut as a wedge or the front cut away beside.
+    """The answer; where a text asks for slits, with them over the leg, a wedge, or beside a front cut away.
 
     Patterns to edit keep theirs.
     """

@@ -46,7 +46,7 @@ def parted_slit(pattern: Pattern) -> Pattern | None:
 
 
 def parted_sides(pattern: Pattern) -> Pattern | None:
-    """The pattern with the front cut away beside both of its slits in the side seams; None where it has no such.
+    """The pattern with its front cut away beside slits in both side seams; None where it has no such.
 
     Args:
         pattern: Of a dress or skirt.
@@ -69,7 +69,7 @@ def parted_sides(pattern: Pattern) -> Pattern | None:
 
 
 def parted_front(pattern: Pattern) -> Pattern | None:
-    """The pattern with the one high slit in the middle of its front cut as a wedge; None where it has no such.
+    """The pattern with the high slit in the middle of its front cut as a wedge; None where it has none.
 
     Args:
         pattern: Of a dress or skirt.

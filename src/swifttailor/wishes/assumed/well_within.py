@@ -16,7 +16,7 @@ OVER_THE_FOOT_CM = 43.0
 """Around; legs with narrower ends stay above the instep, on which they would be torn open."""
 LONG_SLEEVES, LONG_SLEEVES_AT_LEAST = 0.98, 0.93
 """Parts of the arm's length."""
-MAXI, MAXI_AT_MOST = 0.22, 0.3
+MAXI, MAXI_AT_MOST = 0.18, 0.24
 """Parts of the height of the knee at which the hem hangs."""
 FLOOR_CM, FLOOR_AT_LEAST_CM, FLOOR_AT_MOST_CM = 7.0, 5.5, 7.5
 """Where the hem of a gown is measured on its pattern. On the body long dresses hang half a dozen

@@ -40,6 +40,8 @@ _MAY_DRAG = ("trousers", "pull-on-trousers")
 _OVER_INSEAM_CM, _LONG_LEGS_CM = 33.3, (90.0, 118.0)
 """Length down the side over that of the inseam, and the lengths that are drafted so, cm."""
 _WIDE, _WIDE_CM = Claim("legs", "wide"), 30.0
+_FULL_CM, _CUFF_CM, _BELOW_CUFFS_CM = 100.0, 8.0, 3.0
+"""Length of legs, height of their cuffs where none is told, and what of these may go below the hem, cm."""
 _SHORTS_CM = 66.0
 """Legs that are no longer end at the knee or above."""
 _WIDE_SHORTS: Mapping[str, float] = {"leg_ease": 60.0, "flare": 16.0}
@@ -122,6 +124,8 @@ def _with_legs(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
         for claim in claims:
             options |= {"below_waist": _BELOW_WAIST[claim]} if claim in _BELOW_WAIST else {}
             options |= _as_long(draft.name, claim)
+        if draft.name in _MAY_DRAG:
+            options |= _above_cuffs(options, claims)
         if _WIDE_BAND in claims and draft.name in _WIDE_BANDS:
             options["band_height"] = max(_BROAD_CM, float(options.get("band_height", 0.0)))
         if _HIGH_RISE in claims and draft.name == "briefs":
@@ -159,6 +163,16 @@ def _as_long(name: str, claim: Claim) -> Mapping[str, float]:
         return {}
     length = float(claim.value) + _OVER_INSEAM_CM
     return {"length": round(length, 1)} if _LONG_LEGS_CM[0] <= length <= _LONG_LEGS_CM[1] else {}
+
+
+def _above_cuffs(options: Mapping[str, float | bool | str], claims: Sequence[Claim]) -> Mapping[str, float]:
+    """The length of legs that end in bands, which are sewn to their ends: else they lie on the feet."""
+    stated = [float(c.value) for c in claims if c.name == "leg_cuff_cm" and not isinstance(c.value, str)]
+    told = any(claim.name in ("inseam_cm", "length_cm") for claim in claims)
+    length = float(options.get("length", _FULL_CM))
+    if told or length < _LONG_LEGS_CM[0] or not (stated or _BANDED in claims):
+        return {}
+    return {"length": length - max([*stated, _CUFF_CM][0] - _BELOW_CUFFS_CM, 0.0)}
 
 
 def _has_legs(claim: Claim) -> bool:

@@ -14,6 +14,7 @@ from swifttailor.pattern.drafts.measurements import Measurements
 from swifttailor.pattern.drafts.options import Option
 from swifttailor.pattern.drafts.trousers import (
     CLOSE_REACH,
+    FLARED_SIDE_SHARE,
     NARROWEST,
     NARROWING_CM,
     SIDE_SHARE,
@@ -23,8 +24,6 @@ from swifttailor.pattern.drafts.trousers import (
 )
 from swifttailor.pattern.pattern import Pattern
 
-_FLARED_SIDE_SHARE = 0.22
-"""Flares that narrow at the inseams alone are caught at the calves and tear there."""
 SlimLegEase = Annotated[float, Option("Room on top of the leg's girth at the knee.", "cm", 0.0, 8.0)]
 Taper = Annotated[float, Option("How much narrower the hem is than the knee.", "cm", 0.0, 12.0)]
 Bow = Annotated[
@@ -129,7 +128,7 @@ def draft_flares(options: FlaresOptions, measurements: Measurements) -> Pattern:
     Those of cloth that stretches lie on the legs as leggings do, without darts.
     """
     legs = Trousers(options.length, options.hip_ease, options.leg_ease, options.flare, options.crotch_drop)
-    legs = replace(legs, side_share=_FLARED_SIDE_SHARE)
+    legs = replace(legs, side_share=FLARED_SIDE_SHARE)
     if options.stretch:
         legs = replace(legs, darts=False, reach=CLOSE_REACH)
     return _on_band("flares", legs, options, 0.0, measurements)
