@@ -24,6 +24,7 @@ FLOUNCE = Claim("skirt", "fitted base")
 GATHERED, PUFFED = Claim("skirt", "gathered"), Claim("sleeve_shape", "puffed")
 BELLS = "swing-dress(sleeve_shape=bell;sleeve_length=60;sleeves=true)"
 LOOSE = Claim("fit", "loose")
+WIDE_LEGS = Claim("legs", "wide")
 SLEEVELESS = "tank-top(strap_width=8;neck_widening=2;neck_depth=10;back_neck_depth=3;length=6)"
 TENT_DRESS = "swing-dress(length=50;neck_widening=1.5;sleeves=false)"
 LOOSE_DRESS = "shift-dress(length=50;neck_widening=1.5;chest_ease=13;flare=24;sleeves=false)"
@@ -170,6 +171,16 @@ SLITS = [Claim("slit", "left"), Claim("slit", "right")]
         ("t-shirt", [Claim("fit", "close"), Claim("bodice", "darted")], "fitted-top"),
         ("trousers(leg_ease=21)", [Claim("legs", "wide")], "trousers(leg_ease=42;flare=10)"),
         ("trousers(leg_ease=36;flare=6)", [Claim("legs", "wide")], "trousers(leg_ease=36;flare=6)"),
+        ("trousers(length=50;leg_ease=18)", [WIDE_LEGS], "trousers(length=50;leg_ease=60;flare=16)"),
+        (
+            "trousers(length=50;leg_ease=18)",
+            [WIDE_LEGS, Claim("hips", "loose")],
+            "trousers(length=50;leg_ease=60;flare=28;hip_ease=12)",
+        ),
+        ("trousers(length=100)", [Claim("leg_cuff_cm", 12.0)], "trousers(length=91)"),
+        ("trousers", [Claim("leg_cuffs", "band")], "trousers(length=95)"),
+        ("jumpsuit(length=48)", [Claim("legs", "straight")], "jumpsuit(length=48;leg_ease=22;flare=0)"),
+        ("skater-dress", [SLITS[0], Claim("skirt_hem", "maxi")], "fitted-dress(skirt_length=103)"),
         ("strapless-dress", [Claim("sleeves", "long")], _SLEEVED_SKATER),
         ("strapless-dress", [Claim("sleeves", "none")], "strapless-dress"),
         ("strapless-dress", [FLOUNCE], "strapless-dress(flounce=true;close=54;skirt_fraction=0.8)"),
@@ -205,7 +216,7 @@ SLITS = [Claim("slit", "left"), Claim("slit", "right")]
         ("hoodie", [Claim("top_hem", "cropped")], "hoodie(length=6.0;chest_ease=11.0;hem_band_ease=1.0)"),
         ("fitted-top", [Claim("fit", "loose")], "tank-top(length=-2.0;chest_ease=12.0)"),
         ("shirt-dress", [Claim("skirt", "gathered")], "shirt-dress(gathers=2.0)"),
-        ("trousers(length=102;leg_ease=20)", [CUFFED], "trousers(length=102;leg_ease=20)"),
+        ("trousers(length=102;leg_ease=20)", [CUFFED], "trousers(length=97;leg_ease=20)"),
         ("trousers(length=102;leg_ease=20)", [GATHERED_LEGS], "joggers(length=98;leg_ease=20)"),
         ("trousers(length=42)", [GATHERED_LEGS], "trousers(length=42)"),
         (

@@ -107,3 +107,19 @@ def test_slim_legs_stay_above_the_instep():
     facts = measure_facts(swifttailor.draft("leggings"))
     assert facts.hem is not None and facts.hem.level > 8.0
     assert well_within([Gain(Claim("leg_hem", "full"))], facts) == ()
+
+
+@pytest.mark.parametrize(("name", "length"), [("circle-skirt", 88.0), ("skater-dress", 84.0)])
+def test_midis_do_not_look_like_maxis(name, length):
+    option = "length" if name == "circle-skirt" else "skirt_length"
+    facts = measure_facts(swifttailor.draft(name, **{option: length}))
+    midi = Gain(Claim("skirt_hem", "midi"))
+    (wish,) = well_within([midi], facts)
+    assert wish.claim.name == "skirt_length_cm" and length - 14.0 < wish.claim.value < length - 3.0
+    assert well_within([midi], measure_facts(swifttailor.draft(name, **{option: 74.0}))) == ()
+
+
+def test_hems_below_the_knee_do_not_hang_far_below_it():
+    facts = measure_facts(swifttailor.draft("fitted-skirt", length=77.0))
+    (wish,) = well_within([Gain(Claim("skirt_hem", "below the knee"))], facts)
+    assert 68.0 < wish.claim.value < 74.0
