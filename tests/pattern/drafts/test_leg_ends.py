@@ -72,4 +72,4 @@ def test_pencil_skirts_narrow_and_leave_room_for_both_legs(flare, length):
 def test_tiers_may_sit_on_the_hips():
     facts = [measure_facts(draft("tiered-skirt", length=44.0, tiers=2, below_waist=b)) for b in (0.0, 14.0)]
     assert facts[0].top_level - facts[1].top_level > 9.0
-    assert facts[0].hem.level == pytest.approx(facts[1].hem.level, abs=2.0)
+    assert facts[0].hem.level == pytest.approx(facts[1].hem.level, abs=5.0)
