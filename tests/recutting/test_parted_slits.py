@@ -11,7 +11,7 @@ from swifttailor.pattern.pattern import Pattern
 from swifttailor.recutting.alter import alter
 from swifttailor.recutting.levers.slits import closed, open_slit
 from swifttailor.recutting.table.cutter import Cutter
-from swifttailor.recutting.ways.parted_slits import parted_slit, slit_over_leg
+from swifttailor.recutting.ways.parted_slits import parted_front, parted_sides, parted_slit, slit_over_leg
 
 
 def gown(place: str, height: float = 46.0) -> Pattern:
@@ -69,3 +69,21 @@ def test_others_stay_as_they_are(part):
     assert part(gown("back", 20.0)) is None
     assert part(gown("left", 12.0)) is None
     assert part(draft("jeans")) is None
+
+
+def test_both_fronts_are_cut_away_beside_slits_at_both_sides():
+    before = open_slit(Cutter(gown("left", 30.0)), "right", 30.0, 2.0)
+    after = parted_sides(before)
+    hems = [
+        sum(p.edge_length(ref) for ref in Cutter(p).hem if ref.panel == "skirt_front")
+        for p in (before, after)
+    ]
+    assert hems[0] - hems[1] > 10.0
+    assert parted_sides(gown("left")) is None and parted_sides(draft("jeans")) is None
+
+
+def test_a_slit_in_the_middle_of_the_front_becomes_a_wedge():
+    after = parted_front(gown("front", 40.0))
+    (slit,) = Cutter(after).facts.skirt.slits
+    assert slit.place == "front" and slit.width > 8.0
+    assert parted_front(gown("front", 12.0)) is None

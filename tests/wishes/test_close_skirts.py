@@ -14,9 +14,9 @@ CLOSE, A_LINE, FLARED = Claim("hips", "close"), Claim("skirt", "a-line"), Claim(
 @pytest.mark.parametrize(
     ("told", "said", "wanted"),
     [
-        ([CLOSE], [CLOSE], "fitted-skirt(length=42;flare=0;hip_ease=3)"),
+        ([CLOSE], [CLOSE], "fitted-skirt(length=42;flare=-2;hip_ease=3)"),
         ([CLOSE, A_LINE], [CLOSE, A_LINE], "fitted-skirt(length=42;flare=6;hip_ease=3)"),
-        ([CLOSE, A_LINE], [CLOSE], "fitted-skirt(length=42;flare=0;hip_ease=3)"),
+        ([CLOSE, A_LINE], [CLOSE], "fitted-skirt(length=42;flare=-2;hip_ease=3)"),
         ([CLOSE, FLARED], [CLOSE, FLARED], "circle-skirt(fraction=0.3;length=42)"),
         ([CLOSE, Claim("hem_shape", "pointed")], [CLOSE], "circle-skirt(fraction=0.3;length=42)"),
         ([A_LINE], [A_LINE], "circle-skirt(fraction=0.3;length=42)"),

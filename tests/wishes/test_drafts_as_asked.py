@@ -24,6 +24,7 @@ FLOUNCE = Claim("skirt", "fitted base")
 GATHERED, PUFFED = Claim("skirt", "gathered"), Claim("sleeve_shape", "puffed")
 BELLS = "swing-dress(sleeve_shape=bell;sleeve_length=60;sleeves=true)"
 LOOSE = Claim("fit", "loose")
+WIDE_LEGS = Claim("legs", "wide")
 SLEEVELESS = "tank-top(strap_width=8;neck_widening=2;neck_depth=10;back_neck_depth=3;length=6)"
 TENT_DRESS = "swing-dress(length=50;neck_widening=1.5;sleeves=false)"
 LOOSE_DRESS = "shift-dress(length=50;neck_widening=1.5;chest_ease=13;flare=24;sleeves=false)"
@@ -121,13 +122,13 @@ SLITS = [Claim("slit", "left"), Claim("slit", "right")]
         (
             "leggings",
             [Claim("legs", "flared")],
-            "flares(stretch=8;leg_ease=1.5;hip_ease=1.5;flare=26;length=101;band_height=7;crotch_drop=0)",
+            "flares(stretch=8;leg_ease=1.5;hip_ease=1.5;flare=26;length=103;band_height=7;crotch_drop=0)",
         ),
         ("leggings", [Claim("waistband", "wide")], "leggings(band_height=9)"),
         ("leggings(length=58)", [Claim("leg_hem", "mid-thigh")], "leggings(length=47)"),
         ("leggings(length=58)", [Claim("leg_hem", "very short")], "leggings(length=43)"),
         ("briefs(below_waist=10)", [Claim("rise", "high")], "briefs(below_waist=2)"),
-        ("pull-on-trousers(leg_ease=20)", [Claim("legs", "wide")], "pull-on-trousers(leg_ease=40;flare=8)"),
+        ("pull-on-trousers(leg_ease=20)", [Claim("legs", "wide")], "pull-on-trousers(leg_ease=42;flare=10)"),
         (
             "swimsuit",
             [Claim("neckline", "square")],
@@ -168,8 +169,18 @@ SLITS = [Claim("slit", "left"), Claim("slit", "right")]
             "drop-waist-dress(skirt_length=60;fullness=1;skirt_flare=0)",
         ),
         ("t-shirt", [Claim("fit", "close"), Claim("bodice", "darted")], "fitted-top"),
-        ("trousers(leg_ease=21)", [Claim("legs", "wide")], "trousers(leg_ease=40;flare=8)"),
+        ("trousers(leg_ease=21)", [Claim("legs", "wide")], "trousers(leg_ease=42;flare=10)"),
         ("trousers(leg_ease=36;flare=6)", [Claim("legs", "wide")], "trousers(leg_ease=36;flare=6)"),
+        ("trousers(length=50;leg_ease=18)", [WIDE_LEGS], "trousers(length=50;leg_ease=60;flare=16)"),
+        (
+            "trousers(length=50;leg_ease=18)",
+            [WIDE_LEGS, Claim("hips", "loose")],
+            "trousers(length=50;leg_ease=60;flare=28;hip_ease=12)",
+        ),
+        ("trousers(length=100)", [Claim("leg_cuff_cm", 12.0)], "trousers(length=91)"),
+        ("trousers", [Claim("leg_cuffs", "band")], "trousers(length=95)"),
+        ("jumpsuit(length=48)", [Claim("legs", "straight")], "jumpsuit(length=48;leg_ease=22;flare=0)"),
+        ("skater-dress", [SLITS[0], Claim("skirt_hem", "maxi")], "fitted-dress(skirt_length=103)"),
         ("strapless-dress", [Claim("sleeves", "long")], _SLEEVED_SKATER),
         ("strapless-dress", [Claim("sleeves", "none")], "strapless-dress"),
         ("strapless-dress", [FLOUNCE], "strapless-dress(flounce=true;close=54;skirt_fraction=0.8)"),
@@ -205,13 +216,13 @@ SLITS = [Claim("slit", "left"), Claim("slit", "right")]
         ("hoodie", [Claim("top_hem", "cropped")], "hoodie(length=6.0;chest_ease=11.0;hem_band_ease=1.0)"),
         ("fitted-top", [Claim("fit", "loose")], "tank-top(length=-2.0;chest_ease=12.0)"),
         ("shirt-dress", [Claim("skirt", "gathered")], "shirt-dress(gathers=2.0)"),
-        ("trousers(length=102;leg_ease=20)", [CUFFED], "trousers(length=102;leg_ease=20)"),
+        ("trousers(length=102;leg_ease=20)", [CUFFED], "trousers(length=97;leg_ease=20)"),
         ("trousers(length=102;leg_ease=20)", [GATHERED_LEGS], "joggers(length=98;leg_ease=20)"),
         ("trousers(length=42)", [GATHERED_LEGS], "trousers(length=42)"),
         (
             "joggers",
             [Claim("leg_cuffs", "none")],
-            "pull-on-trousers(length=99;hip_ease=10;leg_ease=22;flare=-3)",
+            "pull-on-trousers(length=99;hip_ease=10;leg_ease=24;flare=-8)",
         ),
         ("joggers(crotch_drop=9)", [Claim("leg_cuffs", "none")], None),
         ("t-shirt(length=6)", [Claim("fit", "close")], "t-shirt(length=6;chest_ease=3;waist_shaping=3)"),
@@ -220,7 +231,7 @@ SLITS = [Claim("slit", "left"), Claim("slit", "right")]
         ("tank-top", [LAPEL, Claim("sleeves", "none")], "shirt(sleeves=false)"),
         ("t-shirt", [Claim("bodice", "flared")], "t-shirt(flare=28)"),
         ("skater-dress", [Claim("bodice", "flared")], TENT_DRESS),
-        ("circle-skirt", SLITS[:1], "fitted-skirt(flare=6)"),
+        ("circle-skirt", SLITS[:1], "fitted-skirt(flare=4)"),
         ("halter-dress", SLITS[:1], "halter-dress(skirt_fraction=0.3;length=72)"),
         ("skater-dress", [LOOSE], LOOSE_DRESS),
         ("skater-dress(neck_depth=9)", [GATHERED], "skater-dress(neck_depth=9;gathers=2)"),
@@ -236,7 +247,7 @@ SLITS = [Claim("slit", "left"), Claim("slit", "right")]
         ("t-shirt(length=38)", SLITS[:1], "t-shirt(length=38)"),
         ("skater-dress", SLITS[:1], "fitted-dress(skirt_length=72)"),
         ("tank-top(length=-3)", [Claim("straps", "narrow")], None),
-        ("jumpsuit", [Claim("legs", "wide")], "jumpsuit(leg_ease=40;flare=8)"),
+        ("jumpsuit", [Claim("legs", "wide")], "jumpsuit(leg_ease=42;flare=10)"),
         ("trousers", [Claim("legs", "wide")], "trousers"),
         ("trousers(hip_ease=7)", [Claim("hips", "loose")], "trousers(hip_ease=12)"),
         ("t-shirt(length=38;neck_widening=1)", [STAND], "turtleneck(length=38;collar_height=4;rolled=false)"),

@@ -172,3 +172,19 @@ def test_seven_eighths_end_above_the_ankle(text, length):
     assert (
         dict(legs_as_said(NamedDraft.parse("trousers(length=99)"), text, (), ()).options)["length"] == length
     )
+
+
+@pytest.mark.parametrize(
+    ("text", "begun"),
+    [
+        ("bootcut jeans", "flares(flare=12;leg_ease=10;length=103)"),
+        ("bell bottoms", "flares"),
+        ("tapered trousers", "trousers(length=92;hip_ease=6;leg_ease=17;flare=-18)"),
+        ("skort", "trousers(length=44;hip_ease=6;leg_ease=60;flare=30)"),
+    ],
+)
+def test_names_of_legs_mean_their_shapes(text, begun, reader):
+    heard = hear_description(text, reader)
+    assert heard.drafts[0] == NamedDraft.parse(begun)
+    flared = any("flared" in str(wish.change) for wish in heard.sure)
+    assert flared == (text == "bell bottoms")  # bootcut legs are not to be cut as wide as the thigh

@@ -34,7 +34,7 @@ def reader() -> WishReader:
         ("yoga pants, flared", "flares", {"stretch": 8.0}),
         ("halter neck swimsuit", "swimsuit", {"halter": True}),
         ("halter bikini top", "halter-top", {"length": -9.0}),
-        ("joggers, no cuffs", "pull-on-trousers", {"leg_ease": 22.0}),
+        ("joggers, no cuffs", "pull-on-trousers", {"leg_ease": 24.0}),
         ("jumpsuit with a collar", "jumpsuit", {"collar": "shirt", "neck_depth": 10.0}),
         ("apron to the knee, black, without bib", "apron", {"bib": False, "length": 64.0}),
         ("jeans blue ripped knees", "trousers", {"length": 100.0}),

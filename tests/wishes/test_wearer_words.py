@@ -154,9 +154,9 @@ def test_a_lone_french_size_is_no_waist():
 @pytest.mark.parametrize(
     ("text", "measures"),
     [
-        ("trousers, inseam 32 inches, waist 34", {"inseam": 86.8, "waist": 86.4}),
-        ('black trousers, 31" inseam', {"inseam": 84.2}),
-        ("chinos, inside leg 80 cm", {"inseam": 85.5}),
+        ("trousers, inseam 32 inches, waist 34", {"inseam": 88.3, "waist": 86.4}),
+        ('black trousers, 31" inseam', {"inseam": 85.7}),
+        ("chinos, inside leg 80 cm", {"inseam": 87.0}),
     ],
 )
 def test_who_asks_for_long_legs_has_them(text, measures):

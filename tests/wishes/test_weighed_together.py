@@ -5,7 +5,12 @@ from __future__ import annotations
 from swifttailor.describing.claims import Claim
 from swifttailor.describing.differences import Gain
 from swifttailor.pattern.drafts.draft_names import NamedDraft
-from swifttailor.wishes.corrections.weighed_together import other_slits, weighed_all, without_flare
+from swifttailor.wishes.corrections.weighed_together import (
+    other_slits,
+    weighed_all,
+    without_flare,
+    without_flared_legs,
+)
 from swifttailor.wishes.drafts.refused_looks import as_not_refused
 from swifttailor.wishes.reader import Wish
 
@@ -46,3 +51,17 @@ def test_a_v_that_must_not_be_deep_is_shallow():
     draft = NamedDraft.parse("t-shirt(neckline=v;neck_depth=16)")
     assert dict(as_not_refused(draft, [Claim("neck_depth", "low")]).options)["neck_depth"] == 12.5
     assert as_not_refused(draft, []) == draft
+
+
+def test_a_slit_on_the_side_is_one():
+    both = [Claim("slit", "left"), Claim("slit", "right")]
+    assert other_slits("a skirt w/ slit on the side", both) == (Claim("slit", "right"),)
+    assert not other_slits("a skirt with slits on the sides", both)
+
+
+def test_wide_legs_that_taper_are_roomy_at_the_hips():
+    wide, tapered, roomy = Claim("legs", "wide"), Claim("legs", "tapered"), Claim("hips", "loose")
+    found = without_flared_legs(wished(wide, tapered), ())
+    assert [wish.change for wish in found] == [Gain(tapered), Gain(roomy)]
+    cuffed = wished(wide, tapered, Claim("leg_cuffs", "band"))
+    assert without_flared_legs(cuffed, ()) == tuple(cuffed)

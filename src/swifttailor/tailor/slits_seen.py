@@ -2,20 +2,17 @@
 
 from __future__ import annotations
 
-import re
 from dataclasses import replace
 
 from swifttailor.describing.differences import Gain
-from swifttailor.recutting.ways.parted_slits import parted_slit, slit_over_leg
+from swifttailor.recutting.ways.parted_slits import parted_front, parted_sides, parted_slit, slit_over_leg
 from swifttailor.tailor.answer import Answer
 
 _OF_SLITS = frozenset({"slit", "slit_size", "slit_cm"})
-_AT_SIDE = re.compile(r"(?<!\w)sides?(?!\w)", re.IGNORECASE)
-"""Who says so wants it in the seam."""
 
 
 def with_slit_seen(answer: Answer) -> Answer:
-    """The answer; where a text asks for a slit, with it over the leg, or at the side with the front cut away.
+    """The answer; where a text asks for slits, with them over the leg, a wedge, or beside a front cut away.
 
     Patterns to edit keep theirs.
     """
@@ -25,6 +22,7 @@ def with_slit_seen(answer: Answer) -> Answer:
     asked = [wish.change.claim for wish in wanted.heard.sure if isinstance(wish.change, Gain)]
     if not any(claim.name in _OF_SLITS and claim.value != "none" for claim in asked):
         return answer
-    at_side = bool(_AT_SIDE.search(wanted.heard.text))
-    pattern = (None if at_side else slit_over_leg(answer.pattern)) or parted_slit(answer.pattern)
+    before = answer.pattern
+    ways = (slit_over_leg, parted_slit, parted_sides, parted_front)
+    pattern = next((done for way in ways if (done := way(before)) is not None), None)
     return answer if pattern is None else replace(answer, pattern=pattern)

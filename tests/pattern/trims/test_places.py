@@ -399,6 +399,8 @@ def test_elastic_draws_folds_where_cloth_is_gathered_alone(drafts):
     assert {"skirt_front", "left_ftorso", "right_btorso"} <= {piece.panel for piece in dress}
     assert place_trims(replace(drafts["skater-dress"], trims=("elastic waist",))) == ()
     folds = place_trims(replace(drafts["pull-on-trousers"], trims=("elastic waist",)))
+    round_skirt = place_trims(replace(drafts["circle-skirt"], trims=("elastic waist",)))
+    assert {"skirt_front", "wb_back"} <= {piece.panel for piece in round_skirt} and len(round_skirt) > 20
     smooth = place_trims(replace(drafts["leggings"], trims=("elastic waist",)))
     assert {piece.panel for piece in smooth} == {"wb_front", "wb_back"}
     assert {"pant_f_l", "pant_b_r", "wb_front"} <= {piece.panel for piece in folds} and len(folds) > 40

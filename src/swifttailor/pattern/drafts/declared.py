@@ -64,7 +64,7 @@ SleeveCuffHeight = Annotated[float, Option("Height of the cuffs.", "cm", 3.0, 16
 CuffWidth = Annotated[float, Option("Room of the cuff on top of the wrist girth.", "cm", 2.0, 10.0)]
 SkirtLength = Annotated[float, Option("Body's waist to the hem, down the middle.", "cm", 36.0, 100.0)]
 SkirtFlare = Annotated[
-    float, Option("Slant of the side seams below the hips; negative narrows the hem.", "degrees", -6.0, 18.0)
+    float, Option("Slant of the side seams below the hips; negative narrows the hem.", "degrees", -8.0, 18.0)
 ]
 BandHeight = Annotated[float, Option("Height of the waistband.", "cm", 2.0, 9.0)]
 TrouserLength = Annotated[float, Option("Body's waist to the hem, down the side.", "cm", 36.0, 106.0)]
@@ -73,7 +73,7 @@ LongTrouserLength = Annotated[
 ]
 LegEase = Annotated[float, Option("Room on top of the leg's girth at knee and hem.", "cm", 0.5, 60.0)]
 LegFlare = Annotated[
-    float, Option("Extra width of the hem over the knee; negative narrows it.", "cm", -12.0, 30.0)
+    float, Option("Extra width of the hem over the knee; negative narrows it.", "cm", -26.0, 30.0)
 ]
 GatheringLegCuff = Annotated[
     float,

@@ -21,6 +21,8 @@ _SHORTER_CM, _BEHIND_CM = 1.5, 6.0
 SOFT_CM, FLARED = 6.0, 4.0
 """The curve from waist to hip ends so far below the hips, where it ends on them cloth puckers to a point; and
 the flare, degrees, from which it need not."""
+_TAKEN_IN = 0.24
+"""Hems are narrower than the hips by no more than this part of them: they go around both legs."""
 SKIRT_FRONT_Z = 25.0
 """Where front skirt panels stand before draping, cm."""
 SKIRT_BACK_Z = -22.0
@@ -79,7 +81,8 @@ def lay_fitted_skirt(
     rise = min(0.8, 0.25 * max(taken.side, 0.0))
     # Below the hips the side seam is as long as the middle, so its corner lies higher by `lift`.
     slant, below = math.radians(shape.flare), figure.hip_y - hem_y
-    widening = max(below * math.sin(slant), 8.0 - min(hips.front, hips.back))
+    narrowest = -min(_TAKEN_IN * hips.girth / 4, min(hips.front, hips.back) - 8.0)
+    widening = max(below * math.sin(slant), narrowest)
     slant = math.asin(widening / below)
     lift = below * (1 - math.cos(slant))
     corner_y = hem_y + lift

@@ -28,8 +28,12 @@ NARROWEST = 0.4
 """Least width of the hem of slim legs over the girth of the thigh."""
 CLOSE_REACH = 0.8
 """Of slim legs, which have less cloth at the thigh."""
+FLARED_SIDE_SHARE, _FLARED_CM = 0.22, 16.0
+"""Flares that narrow at the inseams alone are caught at the calves and tear; so much flare they have."""
 SIDE_SHARE = 0.27
 """Slim legs narrow at the side seams as much as at the inseams, so that they hang around the calves."""
+NARROWING_CM = -9.0
+"""Wider legs whose hems are so much narrower than the knee do, too: else a calf catches them as they fall."""
 CLOSE_LEGS_CM = 3.5
 """Legs with less room than this lie close all the way down, as of jersey."""
 SLANT = 2.0
@@ -76,7 +80,7 @@ def legs_of_bodice(
     length: float, hip_ease: float, leg_ease: float, flare: float, crotch_drop: float
 ) -> Trousers:
     """Legs sewn to a bodice, measured as in `Trousers`; those with next to no room have no darts."""
-    share = SIDE_SHARE if flare < 0 else Trousers.side_share
+    share = SIDE_SHARE if flare < 0 else FLARED_SIDE_SHARE if flare > _FLARED_CM else Trousers.side_share
     if leg_ease >= CLOSE_LEGS_CM:
         return Trousers(length, hip_ease, leg_ease, flare, crotch_drop, side_share=share)
     return Trousers(

@@ -21,7 +21,7 @@ _APART, _FOLD, _STITCH = 2.8, 0.06, 0.05
 _DEEP = (3.4, 2.2, 4.8, 2.6, 4.0, 2.4)
 """How far folds run down from the band, one after the other, cm."""
 _GATHERED = 1.08
-"""Cloth that is wider than the band by less than this lies smooth below it, as leggings do."""
+"""Cloth that is wider than the band by less lies smooth below it, as leggings do, and skirts never do."""
 
 
 def waist_elastic(chalk: Chalk, name: str) -> list[Trim]:
@@ -44,7 +44,7 @@ def waist_elastic(chalk: Chalk, name: str) -> list[Trim]:
         fullness = sum(chalk.pattern.edge_length(ref) for ref in below) / _bottom(chalk, band)
         if fullness < _GATHERED and "left_ftorso" in chalk.views:
             return []
-        if fullness < _GATHERED:
+        if fullness < _GATHERED and "skirt_front" not in chalk.views:
             continue
         pieces += _folds_of_band(chalk, name, chalk.views[band])
         for panel in dict.fromkeys(ref.panel for ref in below):

@@ -16,7 +16,7 @@ OVER_THE_FOOT_CM = 43.0
 """Around; legs with narrower ends stay above the instep, on which they would be torn open."""
 LONG_SLEEVES, LONG_SLEEVES_AT_LEAST = 0.98, 0.93
 """Parts of the arm's length."""
-MAXI, MAXI_AT_MOST = 0.22, 0.3
+MAXI, MAXI_AT_MOST = 0.18, 0.24
 """Parts of the height of the knee at which the hem hangs."""
 FLOOR_CM, FLOOR_AT_LEAST_CM, FLOOR_AT_MOST_CM = 7.0, 5.5, 7.5
 """Where the hem of a gown is measured on its pattern. On the body long dresses hang half a dozen
@@ -27,9 +27,14 @@ MINI_CM, MINI_AT_MOST_CM = 13.0, 17.0
 ABOVE_KNEE_CM, ABOVE_KNEE_AT_LEAST_CM = 10.0, 7.0
 KNEE_CM, COVERED_KNEE_CM, COVERED_AT_LEAST_CM = 2.5, -5.0, -3.0
 """How far from the middle of the knee a hem "at the knee" may be, where one below it ends, and at least."""
-ABOVE_THE_KNEE_CM, SLIT_SHARE = 6.0, 0.8
+MIDI, MIDI_AT_LEAST = (0.68, 0.78), (0.58, 0.7)
+"""Parts of the height of the knee at which the hem of a midi skirt and dress is measured, and at least: lower
+ones look like maxis."""
+COVERED_AT_MOST_CM, BELOW_CM = -10.0, -7.0
+"""How far above the middle of the knee a hem ends that is to be below it and hangs lower than that."""
+ABOVE_THE_KNEE_CM, SLIT_SHARE = 13.0, 0.9
 """How far above the knee a slit ends, and the part of that height that is left as it is."""
-BELOW_CROTCH_CM, BELOW_CROTCH_AT_MOST_CM = 16.0, 22.0
+BELOW_CROTCH_CM, BELOW_CROTCH_AT_MOST_CM = 9.0, 13.0
 """Where a high slit in a long skirt begins."""
 AS_STATED_CM = 1.5
 """By so much a hem may end elsewhere than was stated."""
@@ -56,9 +61,9 @@ def well_within(said: Sequence[Change], facts: GarmentFacts) -> tuple[Change, ..
         _sleeves(words, names, facts),
         _skirt(words, names, facts),
         _high_slit(words, names, facts),
-        _slit(words, names, facts),
+        *_slits(words, names, facts),
     ]
-    return tuple([Gain(claim) for claim in found if claim is not None])
+    return tuple([Gain(each) if isinstance(each, Claim) else each for each in found if each is not None])
 
 
 def off_the_floor(said: Sequence[Change], facts: GarmentFacts) -> tuple[Change, ...]:
@@ -139,6 +144,11 @@ def _skirt(words: _Words, names: set[str], facts: GarmentFacts) -> Claim | None:
         level = facts.body.knee if abs(hem.level - facts.body.knee) > KNEE_CM else None
     elif ("skirt_hem", "below the knee") in words and hem.level > facts.body.knee + COVERED_AT_LEAST_CM:
         level = facts.body.knee + COVERED_KNEE_CM
+    elif ("skirt_hem", "below the knee") in words and hem.level < facts.body.knee + COVERED_AT_MOST_CM:
+        level = facts.body.knee + BELOW_CM
+    elif ("skirt_hem", "midi") in words and ("skirt_hem", "ankle") not in words:
+        low = hem.level < MIDI_AT_LEAST[facts.kind == "dress"] * facts.body.knee
+        level = MIDI[facts.kind == "dress"] * facts.body.knee if low else None
     if level is None or facts.kind not in ("dress", "skirt"):
         return None
     if skirt is None:
@@ -147,25 +157,25 @@ def _skirt(words: _Words, names: set[str], facts: GarmentFacts) -> Claim | None:
     return Claim("skirt_length_cm", round(length + hem.level - level, 1))
 
 
-def _slit(words: _Words, names: set[str], facts: GarmentFacts) -> Claim | None:
-    """A slit of no stated size in a long skirt opens to above the knee; a vent behind is left as it is."""
+def _slits(words: _Words, names: set[str], facts: GarmentFacts) -> list[Step]:
+    """Slits of no stated size in a long skirt open to above the knee; a vent behind is left as it is."""
     hem, skirt = facts.hem, facts.skirt
-    if hem is None or skirt is None or not skirt.slits or names & {"slit_cm", "slit_size"}:
-        return None
-    asked = any((("slit", place) in words) for place in ("left", "right", "front"))
+    if hem is None or skirt is None or names & {"slit_cm", "slit_size"}:
+        return []
     above = facts.body.knee + ABOVE_THE_KNEE_CM - hem.level
-    if not asked or max(slit.height for slit in skirt.slits) >= SLIT_SHARE * above:
-        return None
-    return Claim("slit_cm", round(above))
+    low = [s for s in skirt.slits if s.place != "back" and ("slit", s.place) in words]
+    low = [slit for slit in low if slit.height < SLIT_SHARE * above]
+    return [Step(f"{slit.place} slit", 1, round(above - slit.height, 1)) for slit in low]
 
 
-def _high_slit(words: _Words, names: set[str], facts: GarmentFacts) -> Claim | None:
+def _high_slit(words: _Words, names: set[str], facts: GarmentFacts) -> Step | None:
     hem, skirt = facts.hem, facts.skirt
     if hem is None or skirt is None or not skirt.slits or "slit_cm" in names:
         return None
     if ("slit_size", "high") not in words or hem.level > facts.body.knee / 2:
         return None
-    lacking = facts.body.crotch - hem.level - max(slit.height for slit in skirt.slits)
+    highest = max(skirt.slits, key=lambda slit: slit.height)
+    lacking = facts.body.crotch - hem.level - highest.height
     if lacking <= BELOW_CROTCH_AT_MOST_CM:
         return None
-    return Claim("slit_cm", round(facts.body.crotch - hem.level - BELOW_CROTCH_CM))
+    return Step(f"{highest.place} slit", 1, round(lacking - BELOW_CROTCH_CM, 1))

@@ -25,6 +25,11 @@ _ONE_SLIT = re.compile(
     re.IGNORECASE,
 )
 """That there is one: it is called so, or stands in the singular beside the side that it is on."""
+_AT_THE_SIDE = re.compile(
+    r"(?<![\w-])(?:slit|split)(?!\w)[^.;,\d]{0,12}(?<!\w)(?:on|at|up|in) (?:the|teh|one|its) side(?!\w)",
+    re.IGNORECASE,
+)
+"""One at either side, as it is called: "slit on the side"."""
 _SIZES_OF_WORDS = (
     ("cuff_cm", "cuffs", "deep", 12.0, 99.0),
     ("sleeve_cm", "sleeves", "cap", 3.0, 17.0),
@@ -42,6 +47,11 @@ _ABOVE_FLOUNCES = frozenset(
     [Gain(Claim("skirt_hem", end)) for end in ("micro", "mini", "above the knee", "knee", "below the knee")]
 )
 _WIDE_LEGS = frozenset({Gain(Claim("legs", "flared")), Gain(Claim("legs", "wide"))})
+_WIDE, _TAPERED, _ROOMY = (
+    Gain(Claim("legs", "wide")),
+    Gain(Claim("legs", "tapered")),
+    Gain(Claim("hips", "loose")),
+)
 _LOOSE = frozenset({Gain(Claim("fit", "loose")), Gain(Claim("fit", "oversized"))})
 _CLINGS = frozenset(
     {Gain(Claim("hips", "close")), Gain(Claim("skirt", "pencil")), Gain(Claim("fit", "close"))}
@@ -51,6 +61,8 @@ _CLINGS = frozenset(
 def other_slits(text: str, claims: Sequence[Claim]) -> tuple[Claim, ...]:
     """Slits that are refused by asking for one alone: "one slit, on the right"."""
     places = {claim.value for claim in claims if claim.name == "slit"}
+    if places in (set(), {"left", "right"}) and _AT_THE_SIDE.search(text):
+        return (Claim("slit", "right"),)
     if len(places) != 1 or not _ONE_SLIT.search(text):
         return ()
     return tuple([Claim("slit", each) for each in ("left", "right", "front", "back") if each not in places])
@@ -83,9 +95,19 @@ def without_flare(found: Sequence[Wish]) -> tuple[Wish, ...]:
 
 
 def without_flared_legs(found: Sequence[Wish], meant: Collection[Entry]) -> tuple[Wish, ...]:
-    """Without legs that widen to the hem where what widens is the thigh, as of jodhpurs."""
+    """Without legs that widen to the hem where what widens is the thigh, as of jodhpurs.
+
+    Wide legs that are to be narrow at the ankle are roomy at the hips: "baggy, tapered trousers"; those
+    that end in cuffs are both.
+    """
     bowed = any(option[0] == "bow" for entry in meant for draft in entry.drafts for option in draft.options)
-    return tuple([w for w in found if not (bowed and w.change in _WIDE_LEGS)])
+    found = [w for w in found if not (bowed and w.change in _WIDE_LEGS)]
+    cuffed = any(isinstance(w.change, Gain) and w.change.claim.name == "leg_cuffs" for w in found)
+    if cuffed or not {_WIDE, _TAPERED} <= {w.change for w in found if w.certainty >= SURE}:
+        return tuple(found)
+    roomy = any(w.change == _ROOMY and w.certainty >= SURE for w in found)
+    found = [w for w in found if w.change != _WIDE and (roomy or w.change != _ROOMY)]
+    return tuple(found) if roomy else (*found, Wish(_ROOMY, SURE))
 
 
 def _within_figures(found: Sequence[Wish]) -> tuple[Wish, ...]:

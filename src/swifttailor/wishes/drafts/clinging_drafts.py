@@ -57,7 +57,7 @@ _CLOSER: Mapping[str, Mapping[str, float]] = {
 }
 """Other drafts that may be of such cloth, and the room that they then have at most, cm."""
 _NARROW_SKIRTS: Mapping[str, str] = {"fitted-dress": "skirt_flare", "fitted-skirt": "flare"}
-_NARROWING, _LEAST_FLARE = -2.0, 3.0
+_NARROWING, _LEAST_FLARE = -4.0, 3.0
 """Slant of the sides of skirts that cling, degrees, unless they are to flare by at least so much."""
 _SLIM = {"leg_ease": 2.0, "flare": -7.0, "length": 96.0}
 _WIDE_LEGS = frozenset({Claim("legs", "wide"), Claim("legs", "flared"), Claim("legs", "straight")})

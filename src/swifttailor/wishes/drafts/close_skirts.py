@@ -8,9 +8,9 @@ from swifttailor.describing.claims import Claim
 from swifttailor.pattern.drafts.draft_names import NamedDraft
 
 _CLOSE, _ROUND, _FITTED = Claim("hips", "close"), "circle-skirt", "fitted-skirt"
-_FLARES: Mapping[str, float] = {"pencil": -1.5, "narrowing": -4.0, "straight": 0.0, "a-line": 6.0}
+_FLARES: Mapping[str, float] = {"pencil": -7.0, "narrowing": -6.0, "straight": -2.0, "a-line": 6.0}
 """Slant of the sides, degrees, by what the skirt is said to be."""
-_STRAIGHT, _EASE_CM, _USUAL_CM = 0.0, 3.0, 58.0
+_STRAIGHT, _EASE_CM, _USUAL_CM = -2.0, 3.0, 58.0
 _KEPT = ("length", "band_height")
 
 

@@ -96,7 +96,10 @@ _LONG_SLEEVED_KNIT = (
     *(("sleeve_end", 24.0), ("arm_ease", 9.0)),
 )
 _HIGH_SLIT = Claim("slit_size", "high")
-_SLIT_SKIRT_CM = 72.0
+_SLIT_SKIRT_CM, _SLIT_FLARE = 72.0, 4.0
+_SLIT_ENDS: Mapping[str, float] = {"maxi": 103.0, "ankle": 96.0, "floor": 104.0}
+"""Lengths of skirts with slits, cm, how they flare, degrees, and how long those are that are to end so. They
+are drafted long, as a slit over the joint of what was made longer opens in steps."""
 _BIBBED, _WIDE_STRAP_CM = ("dungarees", "pinafore", "apron"), 6.0
 
 
@@ -151,13 +154,16 @@ def draft_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft | N
     draft = hooded_as_asked(draft, claims)
     draft = _without_sleeves(_standing(_with_collar(draft, claims), claims), claims)
     if draft.name == "circle-skirt" and any(claim.name == "slit" for claim in claims):
-        draft = NamedDraft("fitted-skirt", (("flare", 6.0),))
+        kept = {name: value for name, value in draft.options if name in ("length", "band_height")}
+        draft = NamedDraft("fitted-skirt", tuple({**kept, "flare": _SLIT_FLARE}.items()))
     if draft.name == "circle-skirt" and _GATHERED_SKIRT in claims:
         draft = NamedDraft("gathered-skirt", tuple([o for o in draft.options if o[0] == "length"]))
     if draft.name == "shirt-dress" and _GATHERED_SKIRT in claims:
         draft = replace(draft, options=tuple({**dict(draft.options), "gathers": _GATHERS}.items()))
     if draft.name == "skater-dress" and any(claim.name == "slit" for claim in claims):
-        draft = NamedDraft("fitted-dress", (("skirt_length", _SLIT_SKIRT_CM),))  # where a slit is seen
+        ends = [str(claim.value) for claim in claims if claim.name == "skirt_hem"]
+        length = next((_SLIT_ENDS[end] for end in ends if end in _SLIT_ENDS), _SLIT_SKIRT_CM)
+        draft = NamedDraft("fitted-dress", (("skirt_length", length),))  # where a slit is seen
     draft = held_as_asked(_hanging_loose(close_as_asked(draft, claims), claims), claims)
     draft = on_straps_that_hold(bared_as_asked(draft, claims))
     draft = _standing(sleeves_as_asked(draft, claims), claims)  # what was strapless has a neck now

@@ -68,16 +68,16 @@ _DRAFTS: Mapping[str, NamedDraft] = {
         "skater-dress(skirt_length=62;skirt_fraction=0.4;neck_widening=2;bust_ease=8;waist_ease=6)"
     ),
     "empire": NamedDraft.parse("empire-dress"),
-    "jumpsuit": NamedDraft.parse("jumpsuit(hip_ease=7;leg_ease=14)"),
+    "jumpsuit": NamedDraft.parse("jumpsuit(hip_ease=7;leg_ease=22;flare=-6)"),
     "playsuit": NamedDraft.parse("jumpsuit(length=50;leg_ease=16;flare=4)"),
-    "trousers": NamedDraft.parse("trousers(length=100;leg_ease=21;flare=-3.5)"),
+    "trousers": NamedDraft.parse("trousers(length=100;leg_ease=22;flare=-8)"),
     "shorts": NamedDraft.parse("trousers(length=50;hip_ease=4;leg_ease=18;crotch_drop=3)"),
 }
 _SHAPED_LEGS: Mapping[str, NamedDraft] = {
-    "wide": NamedDraft.parse("trousers(length=100;hip_ease=6;leg_ease=36;flare=6)"),
+    "wide": NamedDraft.parse("trousers(length=103;hip_ease=6;leg_ease=42;flare=10)"),
     "slim": NamedDraft.parse("jeans"),
     "flared": NamedDraft.parse("flares"),
-    "tapered": NamedDraft.parse("trousers(length=92;hip_ease=7;leg_ease=12;flare=-8)"),
+    "tapered": NamedDraft.parse("trousers(length=92;hip_ease=6;leg_ease=17;flare=-18)"),
 }
 _EMPIRE = Claim("waist_seam", "empire")
 

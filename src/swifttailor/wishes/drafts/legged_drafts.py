@@ -11,10 +11,10 @@ from swifttailor.pattern.drafts.draft_names import NamedDraft
 
 _WITHOUT_LEGS = ("bodysuit", "swimsuit")
 _LEGS: Mapping[str, Mapping[str, float]] = {
-    "wide": {"leg_ease": 40.0, "flare": 8.0},
-    "flared": {"leg_ease": 8.0, "flare": 26.0},
-    "straight": {"leg_ease": 21.0, "flare": -3.5},
-    "tapered": {"hip_ease": 9.0, "leg_ease": 12.0, "flare": -7.0},
+    "wide": {"leg_ease": 42.0, "flare": 10.0},
+    "flared": {"leg_ease": 9.0, "flare": 30.0},
+    "straight": {"leg_ease": 22.0, "flare": -8.0},
+    "tapered": {"hip_ease": 9.0, "leg_ease": 17.0, "flare": -16.0},
     "slim": {"leg_ease": 6.0, "flare": -4.0},
 }
 _SHORT_CM: Mapping[str, float] = {"very short": 38.0, "mid-thigh": 47.0, "thigh": 53.0}
@@ -27,7 +27,7 @@ _FULL = frozenset({Claim("legs", "tapered"), Claim("legs", "wide"), Claim("hips"
 """Legs of which there is something to gather into a band; turn-ups are called cuffs as well."""
 _NOT_CUFFED = frozenset({Claim("leg_cuffs", "none"), Claim("leg_cuffs", "flounce"), Claim("legs", "flared")})
 _UNCUFFED = Claim("leg_cuffs", "none")
-_OPEN_JOGGERS = NamedDraft.parse("pull-on-trousers(length=99;hip_ease=10;leg_ease=22;flare=-3)")
+_OPEN_JOGGERS = NamedDraft.parse("pull-on-trousers(length=99;hip_ease=10;leg_ease=24;flare=-8)")
 """Joggers whose ends are open."""
 _GATHERS_FROM_CM = 24.0
 """Legs with so much room at the knee do not narrow above their cuffs: they are gathered there."""
@@ -40,16 +40,22 @@ _MAY_DRAG = ("trousers", "pull-on-trousers")
 _OVER_INSEAM_CM, _LONG_LEGS_CM = 33.3, (90.0, 118.0)
 """Length down the side over that of the inseam, and the lengths that are drafted so, cm."""
 _WIDE, _WIDE_CM = Claim("legs", "wide"), 30.0
+_FULL_CM, _CUFF_CM, _BELOW_CUFFS_CM = 100.0, 8.0, 3.0
+"""Length of legs, height of their cuffs where none is told, and what of these may go below the hem, cm."""
+_SHORTS_CM = 66.0
+"""Legs that are no longer end at the knee or above."""
+_WIDE_SHORTS: Mapping[str, float] = {"leg_ease": 60.0, "flare": 16.0}
+_WIDEST_SHORTS: Mapping[str, float] = {"leg_ease": 60.0, "flare": 28.0}
 _BAGGY: Mapping[str, float] = {"hip_ease": 14.0, "leg_ease": 30.0, "flare": -4.0}
 """Joggers with wide legs: they are baggy, and no harem trousers unless those are meant."""
 _TAPERED, _TO_THE_ANKLE_CM, _WIDE_BAND_CM = Claim("legs", "tapered"), 92.0, 8.0
-_ROOMY: Mapping[str, float] = {"hip_ease": 16.0, "leg_ease": 18.0, "flare": -9.0}
+_ROOMY: Mapping[str, float] = {"hip_ease": 15.0, "leg_ease": 20.0, "flare": -16.0}
 """Trousers that are wide at the hips and narrow below."""
 _LOOSE, _LOOSE_CM = Claim("hips", "loose"), 12.0
 _LEGGINGS, _SHORTEST_LEGGINGS_CM = "leggings", 43.0
 _OF_JERSEY: Mapping[Claim, NamedDraft] = {
     Claim("legs", "flared"): NamedDraft.parse(
-        "flares(stretch=8;leg_ease=1.5;hip_ease=1.5;flare=26;length=101;band_height=7;crotch_drop=0)"
+        "flares(stretch=8;leg_ease=1.5;hip_ease=1.5;flare=26;length=103;band_height=7;crotch_drop=0)"
     ),
     Claim("legs", "straight"): NamedDraft.parse(
         "flares(stretch=8;leg_ease=2;hip_ease=1.5;flare=8;length=100;band_height=7;crotch_drop=0)"
@@ -107,15 +113,19 @@ def _with_legs(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
             options |= {} if claim == _SLIM and closer else asked
     if DRAFT_KINDS[draft.name] == "jumpsuit":
         ends = [cm for c in claims if (cm := _short_cm(c))]
-        options |= {"length": ends[0], "flare": max(float(options.get("flare", 0.0)), 0.0)} if ends else {}
+        options |= {"length": ends[0]} if ends else {}
+        if float(options.get("length", _LONG_LEGS_CM[0])) <= _SHORTS_CM:
+            options["flare"] = max(float(options.get("flare", 0.0)), 0.0)
     if draft.name == "trousers" and {_LOOSE, _TAPERED} <= frozenset(claims):
         return _roomy_and_tapered(options, claims)
     if draft.name in _MAY_DRAG and _WIDE in claims and float(options.get("leg_ease", _CLOSEST)) < _WIDE_CM:
-        options |= _LEGS["wide"]
+        options |= _wide_legs(options, claims)
     if DRAFT_KINDS[draft.name] == "trousers":
         for claim in claims:
             options |= {"below_waist": _BELOW_WAIST[claim]} if claim in _BELOW_WAIST else {}
             options |= _as_long(draft.name, claim)
+        if draft.name in _MAY_DRAG:
+            options |= _above_cuffs(options, claims)
         if _WIDE_BAND in claims and draft.name in _WIDE_BANDS:
             options["band_height"] = max(_BROAD_CM, float(options.get("band_height", 0.0)))
         if _HIGH_RISE in claims and draft.name == "briefs":
@@ -126,6 +136,13 @@ def _with_legs(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     if _LOOSE in claims:
         options["hip_ease"] = max(_LOOSE_CM, float(options.get("hip_ease", 0.0)))
     return replace(draft, options=tuple(options.items()))
+
+
+def _wide_legs(options: Mapping[str, float | bool | str], claims: Sequence[Claim]) -> Mapping[str, float]:
+    """Wide legs, as long as they are: short ones have the width of the thigh, and are wide by their slant."""
+    if float(options.get("length", _LONG_LEGS_CM[0])) > _SHORTS_CM:
+        return _LEGS["wide"]
+    return _WIDEST_SHORTS if _LOOSE in claims else _WIDE_SHORTS
 
 
 def _short_cm(claim: Claim) -> float:
@@ -146,6 +163,16 @@ def _as_long(name: str, claim: Claim) -> Mapping[str, float]:
         return {}
     length = float(claim.value) + _OVER_INSEAM_CM
     return {"length": round(length, 1)} if _LONG_LEGS_CM[0] <= length <= _LONG_LEGS_CM[1] else {}
+
+
+def _above_cuffs(options: Mapping[str, float | bool | str], claims: Sequence[Claim]) -> Mapping[str, float]:
+    """The length of legs that end in bands, which are sewn to their ends: else they lie on the feet."""
+    stated = [float(c.value) for c in claims if c.name == "leg_cuff_cm" and not isinstance(c.value, str)]
+    told = any(claim.name in ("inseam_cm", "length_cm") for claim in claims)
+    length = float(options.get("length", _FULL_CM))
+    if told or length < _LONG_LEGS_CM[0] or not (stated or _BANDED in claims):
+        return {}
+    return {"length": length - max([*stated, _CUFF_CM][0] - _BELOW_CUFFS_CM, 0.0)}
 
 
 def _has_legs(claim: Claim) -> bool:

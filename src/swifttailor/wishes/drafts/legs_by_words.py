@@ -73,7 +73,7 @@ _CROPPED_CM: Mapping[str, float] = {
 }
 """Legs that end a hand above the ankle, as cropped ones do: culottes and capris are shorter by name."""
 _WHOLE_LEGS = ("trousers", "pull-on-trousers", "jeans", "leggings", "flares")
-_PULLED_ON: Mapping[str, float] = {"hip_ease": 7.0, "leg_ease": 21.0, "flare": -3.5}
+_PULLED_ON: Mapping[str, float] = {"hip_ease": 7.0, "leg_ease": 22.0, "flare": -8.0}
 """What trousers that are gathered at the waist have at least, as they have no darts."""
 _GATHERED_DRESSES, _GATHERS = ("skater-dress", "shirt-dress"), 1.7
 """Dresses whose skirt can be gathered into the waist, and how much wider it then is."""

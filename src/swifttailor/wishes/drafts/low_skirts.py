@@ -10,7 +10,7 @@ from swifttailor.pattern.drafts.draft_names import NamedDraft
 
 _BELOW_WAIST: Mapping[Claim, float] = {Claim("rise", "low"): 14.0, Claim("rise", "mid"): 5.0}
 """How far below the waist the upper edge of the band is, cm."""
-_ROUND = "circle-skirt"
+_LOW = ("circle-skirt", "tiered-skirt")
 
 
 def low_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
@@ -21,6 +21,6 @@ def low_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
         claims: What is asked for, all of it.
     """
     below = next((_BELOW_WAIST[claim] for claim in claims if claim in _BELOW_WAIST), None)
-    if draft.name != _ROUND or below is None:
+    if draft.name not in _LOW or below is None:
         return draft
     return replace(draft, options=tuple({**dict(draft.options), "below_waist": below}.items()))

@@ -34,6 +34,7 @@ _USUAL_CM, _SHORTEST_CLOSE_CM = 62.0, 50.0
 _CLOSE_SHARE, _CLOSE_CM = 0.46, (30.0, 52.0)
 """How much of the length the close part is, and its bounds, cm."""
 _CLOSE_TIERS, _MOST = 3, 6
+_KEPT = ("tiers", "fullness", "close", "below_waist")
 _FULL = 1.8
 """Width of each tier of a wide skirt over that of the one above."""
 
@@ -60,12 +61,13 @@ def tiers_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     ends = [_LENGTHS[str(c.value)] for c in claims if c.name == "skirt_hem" and c.value in _LENGTHS]
     stated = [float(c.value) for c in claims if c.name == "skirt_length_cm" and not isinstance(c.value, str)]
     length = min(max([*stated, *ends, float(own.get("length", _USUAL_CM))][0], 36.0), 100.0)
-    options = {name: value for name, value in own.items() if name in ("tiers", "fullness", "close")}
+    options = {name: value for name, value in own.items() if name in _KEPT}
     options["length"] = length
     close = draft.name == _CLOSE_SKIRT or not _CLOSE.isdisjoint(asked) or bool(own.get("close"))
     if close and length >= _SHORTEST_CLOSE_CM:
         options["close"] = round(min(max(_CLOSE_SHARE * length, _CLOSE_CM[0]), _CLOSE_CM[1]), 1)
         options.setdefault("tiers", float(_CLOSE_TIERS))
+        options.pop("below_waist", None)
     elif not _WIDE.isdisjoint(asked):
         options.setdefault("fullness", _FULL)
     if counts:

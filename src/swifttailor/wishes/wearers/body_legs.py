@@ -17,7 +17,7 @@ _INSEAM = re.compile(
     re.IGNORECASE,
 )
 _DRAGS = re.compile(r"(?<!\w)(?:drag|puddl|pool|trail|stack)\w*", re.IGNORECASE)
-_LONG_LEGS_CM, _ABOVE_FLOOR_CM = (73.0, 100.0), 5.5
+_LONG_LEGS_CM, _ABOVE_FLOOR_CM = (73.0, 100.0), 7.0
 """Inseams that the usual body is too short for; how far above the floor trousers end."""
 
 

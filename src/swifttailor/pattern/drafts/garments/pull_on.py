@@ -13,7 +13,14 @@ from swifttailor.pattern.drafts.figure import Figure
 from swifttailor.pattern.drafts.joins import sew_trousers_to_band
 from swifttailor.pattern.drafts.measurements import Measurements
 from swifttailor.pattern.drafts.options import Option
-from swifttailor.pattern.drafts.trousers import ROOMY_CM, SIDE_SHARE, Trousers, lay_trousers, sew_legs
+from swifttailor.pattern.drafts.trousers import (
+    NARROWING_CM,
+    ROOMY_CM,
+    SIDE_SHARE,
+    Trousers,
+    lay_trousers,
+    sew_legs,
+)
 from swifttailor.pattern.pattern import Pattern
 
 _SHAPED_CM = 1.5
@@ -34,7 +41,7 @@ class PullOnTrousersOptions:
     length: declared.LongTrouserLength = 100.0
     hip_ease: Annotated[float, Option("Room on top of the hip girth, all around.", "cm", 2.0, 40.0)] = 8.0
     leg_ease: declared.LegEase = 22.0
-    flare: Annotated[float, Option("How much wider the leg ends than at the knee.", "cm", -12.0, 30.0)] = 0.0
+    flare: Annotated[float, Option("How much wider the leg ends than at the knee.", "cm", -26.0, 30.0)] = 0.0
     crotch_drop: Annotated[float, Option("Crotch of the trousers below the body's.", "cm", 0.5, 14.0)] = 2.0
     band_height: declared.BandHeight = 4.0
     waist_ease: declared.BandEase = 0.0
@@ -99,6 +106,7 @@ def _lay_legs(table: CuttingTable, figure: Figure, options: PullOnTrousersOption
     drop = min(options.crotch_drop, max(_LEAST_DROP_CM, _DROP_SHARE * inseam))
     # Close legs that narrow at the inseams alone hang beside the calves, not around them.
     around_calves = options.leg_ease < ROOMY_CM and figure.waist_y - length < figure.knee_y - _BELOW_KNEE_CM
+    around_calves = around_calves or options.flare <= NARROWING_CM
     share = SIDE_SHARE if around_calves else Trousers.side_share
     legs = Trousers(length, options.hip_ease, options.leg_ease, options.flare, drop, side_share=share)
     if isinstance(options, OpenPullOnTrousersOptions):

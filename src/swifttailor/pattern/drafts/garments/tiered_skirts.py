@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Annotated
 
 from swifttailor.pattern.drafts import declared
-from swifttailor.pattern.drafts.band import lay_body_waist_band
+from swifttailor.pattern.drafts.band import band_below_waist, lay_body_waist_band
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure, Halves
 from swifttailor.pattern.drafts.fitted_skirt import SKIRT_BACK_Z, SKIRT_FRONT_Z, FittedSkirt, lay_fitted_skirt
@@ -19,7 +19,7 @@ from swifttailor.pattern.pattern import Pattern
 
 _BELOW_HIPS_CM, _LOWEST_TIERS_CM = 6.0, 16.0
 """A close part ends so far below the hips at least, and leaves so much to its tiers, cm."""
-_LEAST_TIER_CM = 6.0
+_LEAST_TIER_CM, _LEAST_FALL_CM = 6.0, 18.0
 _HIP_EASE_CM, _FLARE = 4.0, 1.0
 """Of the close part: cm, degrees."""
 
@@ -43,18 +43,21 @@ class TieredSkirtOptions:
     ] = 0.0
     band_height: declared.BandHeight = 4.0
     waist_ease: declared.BandEase = 0.0
+    below_waist: declared.BelowWaist = 0.0
 
 
 def draft_tiered_skirt(options: TieredSkirtOptions, measurements: Measurements) -> Pattern:
     """Drafts the tiered skirt for a body."""
     figure = Figure.of(measurements)
     table = CuttingTable("tiered-skirt")
-    waist = lay_body_waist_band(table, figure, options.band_height, options.waist_ease)
+    # A close part begins at the waist, as the darts above the hips need the room.
+    low = 0.0 if options.close > 0 else band_below_waist(figure, options.below_waist, options.band_height)
+    waist = lay_body_waist_band(table, figure, options.band_height, options.waist_ease, low)
     if options.close > 0:
         _lay_below_hips(table, figure, options, waist)
         return table.finish()
-    heights = _heights(options)
-    top_y = figure.waist_y - options.band_height - 3.0
+    heights = _heights(options, low)
+    top_y = figure.waist_y - low - options.band_height - 3.0
     widths = {"front": 2 * waist.front, "back": 2 * waist.back}
     for tier in range(options.tiers):
         number, above = _number(tier), _number(tier - 1)
@@ -86,9 +89,9 @@ def _lay_below_hips(table: CuttingTable, figure: Figure, options: TieredSkirtOpt
     lay_tiers_below(table, options.tiers, height, figure.waist_y - close - 3.0, options.fullness)
 
 
-def _heights(options: TieredSkirtOptions) -> list[float]:
-    """Of all tiers from the waist down, cm."""
-    whole, count = options.length - options.band_height, options.tiers
+def _heights(options: TieredSkirtOptions, low: float) -> list[float]:
+    """Of all tiers from the band down, whose upper edge is so `low` below the waist, cm."""
+    whole, count = max(options.length - low - options.band_height, _LEAST_FALL_CM), options.tiers
     if not options.first:
         return [whole / count] * count
     least = min(_LEAST_TIER_CM, whole / count)

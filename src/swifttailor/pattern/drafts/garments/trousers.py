@@ -14,7 +14,9 @@ from swifttailor.pattern.drafts.measurements import Measurements
 from swifttailor.pattern.drafts.options import Option
 from swifttailor.pattern.drafts.trousers import (
     CLOSE_REACH,
+    FLARED_SIDE_SHARE,
     NARROWEST,
+    NARROWING_CM,
     SIDE_SHARE,
     Trousers,
     lay_trousers,
@@ -55,6 +57,8 @@ class TrousersOptions:
 def draft_trousers(options: TrousersOptions, measurements: Measurements) -> Pattern:
     """Drafts the trousers for a body."""
     legs = Trousers(options.length, options.hip_ease, options.leg_ease, options.flare, options.crotch_drop)
+    if options.flare <= NARROWING_CM:
+        legs = replace(legs, side_share=SIDE_SHARE)
     return _on_band("trousers", legs, options, options.waist_ease, measurements)
 
 
@@ -106,10 +110,10 @@ def draft_leggings(options: LeggingsOptions, measurements: Measurements) -> Patt
 class FlaresOptions:
     """Options of the flares."""
 
-    length: declared.TrouserLength = 103.0
+    length: declared.TrouserLength = 105.0
     hip_ease: declared.HipEase = 2.0
-    leg_ease: declared.LegEase = 6.0
-    flare: Annotated[float, Option("Extra width of the hem over the knee.", "cm", 8.0, 40.0)] = 26.0
+    leg_ease: declared.LegEase = 9.0
+    flare: Annotated[float, Option("Extra width of the hem over the knee.", "cm", 8.0, 40.0)] = 32.0
     crotch_drop: CrotchDrop = 0.5
     band_height: declared.BandHeight = 4.0
     below_waist: declared.BelowWaist = 0.0
@@ -124,8 +128,9 @@ def draft_flares(options: FlaresOptions, measurements: Measurements) -> Pattern:
     Those of cloth that stretches lie on the legs as leggings do, without darts.
     """
     legs = Trousers(options.length, options.hip_ease, options.leg_ease, options.flare, options.crotch_drop)
+    legs = replace(legs, side_share=FLARED_SIDE_SHARE)
     if options.stretch:
-        legs = replace(legs, darts=False, reach=CLOSE_REACH, side_share=SIDE_SHARE)
+        legs = replace(legs, darts=False, reach=CLOSE_REACH)
     return _on_band("flares", legs, options, 0.0, measurements)
 
 
