@@ -17,6 +17,8 @@ from swifttailor.body.wearer import body_of
 from swifttailor.draping.fabric import Fabric
 from swifttailor.errors import SimulationError
 from swifttailor.garment.garment import Garment
+from swifttailor.garment_sewer.clear_of_feet import clear_of_feet
+from swifttailor.garment_sewer.covering import cover_cleft
 from swifttailor.garment_sewer.crumpling import CRUMPLED, smoothed_where_crumpled
 from swifttailor.garment_sewer.layers import layers_lifted, overlapping_vertices
 from swifttailor.garment_sewer.legs_apart import legs_apart
@@ -103,6 +105,8 @@ def relaxed(
     if apart is not None:
         frames, smooth = max(frames, APART_FRAMES), apart
     is_plain = pleated is None and smooth is None
+    begun = replace(begun, vertices=clear_of_feet(begun.vertices, body))
+    smooth = None if smooth is None else clear_of_feet(smooth, body)
     smoothed = SMOOTHED_FRAMES if is_plain and lies_close_behind(begun.vertices, body) else 0
     try:
         fallen = relax(
@@ -123,7 +127,7 @@ def relaxed(
     more = _crossings(garment.mesh, fallen.vertices) - MORE_CROSSINGS * len(garment.mesh.faces)
     if more > 0 and more > _crossings(garment.mesh, garment.vertices):
         return replace(garment, report=garment.report | {"not_relaxed": _TANGLED, "seconds": seconds})
-    return fallen
+    return replace(fallen, vertices=cover_cleft(fallen.mesh, fallen.vertices, body))
 
 
 def hangs_free(garment: Garment, body: Body) -> bool:

@@ -49,6 +49,11 @@ _SHORT_CARDIGAN: Mapping[str, float] = {
     "armhole_drop": 4.0,
     "arm_ease": 9.0,
 }
+_SHAPED_JACKET: Mapping[str, float] = {
+    **{"chest_ease": 8.0, "waist_shaping": 3.0, "armhole_drop": 4.0},
+    **{"arm_ease": 9.0, "sleeve_end": 25.0},
+}
+"""Of jackets on a standing collar that end at the waist, without which their backs hang like capes."""
 _PADDED_CM, _BOMBER = 18.0, "bomber-jacket"
 """Jackets on a standing collar with so much room are padded; where they are short, a band draws them in."""
 _KEPT: Mapping[str, tuple[float, float]] = {
@@ -97,9 +102,19 @@ def cropped_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
         options["length"] = max(asked[0], _WITH_WINGS_CM.get(draft.name, 8.0))
     elif draft.name in _BANDED and asked[0] == lengths["cropped"]:
         options |= {k: min(float(options.get(k, most)), most) for k, most in _CROPPED_BANDED.items()}
+    elif _is_jacket(draft) and not any(c.name == "fit" and c.value in _LOOSE for c in claims):
+        options = {**options, **_SHAPED_JACKET, "length": asked[0]}
     elif asked[0] < 0 and draft.name != "camisole":  # which is close at the bust by itself
         options[room] = min(float(options.get(room, _CROPPED_EASE_CM)), _CROPPED_EASE_CM)
     return replace(draft, options=tuple(options.items()))
+
+
+def _is_jacket(draft: NamedDraft) -> bool:
+    """Whether it is a jacket on a collar that stands, without room for others below: darts shape it."""
+    own = dict(draft.options)
+    close = float(own.get("chest_ease", 0.0)) < _OVER_OTHERS_CM and not own.get("stretch")
+    stands = draft.name == "turtleneck" and own.get("rolled") is False
+    return stands and close and bool(own.get("sleeves", True))
 
 
 def _is_padded(draft: NamedDraft) -> bool:
