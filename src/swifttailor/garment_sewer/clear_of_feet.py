@@ -1,4 +1,4 @@
-"""Hems that reach the feet, laid over the toes before they fall: from behind them they crumple on the insteps."""
+"""Hems that reach the feet, laid over the toes before they fall: behind these they crumple on the insteps."""
 
 from __future__ import annotations
 

@@ -24,6 +24,7 @@ from swifttailor.garment_sewer.layers import layers_lifted, overlapping_vertices
 from swifttailor.garment_sewer.legs_apart import legs_apart
 from swifttailor.garment_sewer.pixels.body_distance import BodyDistance
 from swifttailor.garment_sewer.pleats_laid import pleats_laid
+from swifttailor.garment_sewer.sleeves_laid import sleeves_laid
 from swifttailor.panel_mesh.pattern_mesh import PatternMesh
 from swifttailor.pattern.check import panel_regions
 from swifttailor.progress import StageProgress
@@ -38,10 +39,12 @@ APART_FRAMES = 14
 """So long legs fall that were moved apart."""
 SLIPPED_CM, UPPERMOST = 2.5, 0.1
 """So far the uppermost tenth of the vertices may fall on average."""
-OVERLAPPING_FRAMES = 24
+OVERLAPPING_FRAMES = 40
 """So long fronts fall that overlap."""
 PLEATED_FRAMES = 24
 """So long pleats fall after they were laid."""
+SLEEVE_FRAMES = 20
+"""So long sleeves fall that were laid around the arms."""
 WIDE_FRAMES = 20
 """So long tops fall that hang free of the waist: as they were predicted, they stand out like bells."""
 FREE_CM = 2.4
@@ -90,10 +93,14 @@ def relaxed(
     body = body_of(garment.pattern.drafted_for) if body is None else body
     frames, smooth = FRAMES, None
     begun = replace(garment, vertices=layers_lifted(garment, body))
+    sleeves = sleeves_laid(begun.mesh, begun.vertices, body)
+    if sleeves is not None:
+        begun = replace(begun, vertices=sleeves)
     if overlapping_vertices(garment.mesh):
         frames = OVERLAPPING_FRAMES
     elif hangs_free(begun, body):
         frames = WIDE_FRAMES
+    frames = frames if sleeves is None else max(frames, SLEEVE_FRAMES)
     pleated = pleats_laid(begun.mesh, begun.vertices, body)
     if pleated is not None:
         begun, frames = replace(begun, vertices=pleated), PLEATED_FRAMES
