@@ -16,13 +16,14 @@ _CROPPED: Mapping[str, tuple[str, Mapping[str, float]]] = {
         ("chest_ease", {"cropped": 3.5, "waist": 5.5}),
     ),
     **dict.fromkeys(("sweatshirt", "hoodie"), ("chest_ease", {"cropped": 6.0, "waist": 7.0})),
-    "camisole": ("chest_ease", {"cropped": -4.0}),
+    **dict.fromkeys(("camisole", "off-shoulder-top"), ("chest_ease", {"cropped": -4.0})),
     "cardigan": ("chest_ease", {"cropped": 3.0, "waist": 6.0}),
     **dict.fromkeys(
         ("t-shirt", "shirt", "turtleneck", "tank-top"), ("chest_ease", {"cropped": -2.0, "waist": 1.0})
     ),
 }
 """Where the hems of drafts are that are asked to end above the hips, cm below the waist, and their room."""
+_CLOSE_AT_BUST = ("camisole", "off-shoulder-top")
 _WITH_WINGS_CM: Mapping[str, float] = {"t-shirt": 8.0, "sweatshirt": 12.0}
 """Hems of tops whose sleeves are cut in one lie at least so far below the waist, cm: above shorter ones such
 sleeves do not follow the arm."""
@@ -104,7 +105,7 @@ def cropped_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
         options |= {k: min(float(options.get(k, most)), most) for k, most in _CROPPED_BANDED.items()}
     elif _is_jacket(draft) and not any(c.name == "fit" and c.value in _LOOSE for c in claims):
         options = {**options, **_SHAPED_JACKET, "length": asked[0]}
-    elif asked[0] < 0 and draft.name != "camisole":  # which is close at the bust by itself
+    elif asked[0] < 0 and draft.name not in _CLOSE_AT_BUST:  # which are close at the bust by themselves
         options[room] = min(float(options.get(room, _CROPPED_EASE_CM)), _CROPPED_EASE_CM)
     return replace(draft, options=tuple(options.items()))
 
