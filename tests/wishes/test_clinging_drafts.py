@@ -34,6 +34,11 @@ def stretch(named: NamedDraft) -> float:
         ("rash vest", "t-shirt"),
         ("thermal base layer top, slim fit", "t-shirt"),
         ("clingy turtleneck", "turtleneck"),
+        ("tight black dress with long sleeves", "shift-dress"),
+        ("turtle neck dress, tight, midi", "shift-dress"),
+        ("mock neck dress, tight", "shift-dress"),
+        ("tight top", "t-shirt"),
+        ("eng anliegendes Kleid", "shift-dress"),
     ],
 )
 def test_words_that_mean_it(text, name, reader):
@@ -65,7 +70,9 @@ def test_close_skirts_that_cling_narrow_to_the_hem():
     assert slant(NamedDraft("fitted-skirt", (("flare", 8.0),)), "flare") == 8.0
 
 
-@pytest.mark.parametrize("text", ["white t-shirt", "close fitting wool dress", "a loose jersey dress"])
+@pytest.mark.parametrize(
+    "text", ["white t-shirt", "close fitting wool dress", "a loose jersey dress", "tight tweed dress"]
+)
 def test_words_that_do_not(text, reader):
     assert not any(stretch(one) for one in hear_description(text, reader).drafts)
 

@@ -59,3 +59,21 @@ def test_short_cardigans_are_buttoned_to_the_hem(hem, length):
 def test_open_ones_and_shorter_ones_stay_as_they_are(named):
     draft_named = NamedDraft.parse(named)
     assert cropped_as_asked(draft_named, [Claim("top_hem", "cropped")]) == draft_named
+
+
+def test_short_jackets_on_a_standing_collar_are_shaped():
+    """Else their backs hang like capes."""
+    jacket = NamedDraft.parse("turtleneck(collar_height=4;rolled=false)")
+    made = dict(cropped_as_asked(jacket, [Claim("top_hem", "cropped")]).options)
+    assert (made["length"], made["waist_shaping"], made["chest_ease"]) == (-2.0, 3.0, 8.0)
+    loose = dict(cropped_as_asked(jacket, [Claim("top_hem", "cropped"), Claim("fit", "loose")]).options)
+    assert "waist_shaping" not in loose
+
+
+def test_cropped_tops_off_the_shoulders_narrow_to_the_ribs():
+    made = cropped_as_asked(NamedDraft("off-shoulder-top"), [Claim("top_hem", "cropped")])
+    assert made.options == (("length", -4.0),)
+    corners = draft(made.name, length=-4.0).panel("left_btorso").vertices
+    low, high = corners[:, 1].min(), corners[:, 1].max()
+    hem = corners[corners[:, 1] < low + 2.0, 0].max()
+    assert hem < corners[corners[:, 1] < high, 0].max() - 1.0

@@ -322,6 +322,17 @@ def test_of_what_closes_it_behind_nothing_hangs_lower_there():
     assert kept == (lower,) == without_opposites([lower], read_words("a dress with a side zip"))
 
 
+@pytest.mark.parametrize("text", ["open cardigan", "an open long cardigan", "a long open cardigan"])
+def test_cardigans_are_open_in_front(text):
+    words = read_words(text)
+    bare = Wish(Gain(Claim("back_depth", "open")), 0.9)
+    assert without_opposites([bare], words) == ()
+    drafts = [draft for mark in words.marks for entry in mark.entries for draft in entry.drafts]
+    assert all(dict(draft.options)["closed_to"] == -30.0 for draft in drafts) and drafts
+    asked = read_words("a cardigan with an open back")
+    assert without_opposites([bare], asked) == (bare,)
+
+
 @pytest.mark.parametrize(
     ("text", "buttoned"),
     [

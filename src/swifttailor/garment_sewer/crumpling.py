@@ -40,7 +40,7 @@ def crumpled_share(mesh: PatternMesh, flat_positions: Floats) -> float:
         GeometryError: The shape of the positions does not fit the mesh.
     """
     area = rest_shape(mesh).area
-    return float(area[_is_crumpled(mesh, flat_positions)].sum() / area.sum())
+    return float(area[is_crumpled(mesh, flat_positions)].sum() / area.sum())
 
 
 def smoothed_where_crumpled(mesh: PatternMesh, vertices: Floats, held: NDArray[np.bool_]) -> Floats:
@@ -60,7 +60,7 @@ def smoothed_where_crumpled(mesh: PatternMesh, vertices: Floats, held: NDArray[n
     )
     laplacian, links = _graph(mesh.faces, count)
     near = np.zeros(count)
-    corners = rest_shape(mesh).corners[_is_crumpled(mesh, vertices[mesh.weld])]
+    corners = rest_shape(mesh).corners[is_crumpled(mesh, vertices[mesh.weld])]
     near[mesh.weld[corners]] = 1.0
     for _ in range(max(1, round(_AROUND_CM / size))):
         near = np.where(links @ near > 0, 1.0, near)
@@ -75,7 +75,7 @@ def smoothed_where_crumpled(mesh: PatternMesh, vertices: Floats, held: NDArray[n
     return np.where((kept == _KEPT)[:, None], vertices, smooth)
 
 
-def _is_crumpled(mesh: PatternMesh, flat_positions: Floats) -> NDArray[np.bool_]:
+def is_crumpled(mesh: PatternMesh, flat_positions: Floats) -> NDArray[np.bool_]:
     """(f,) whether each face that has an area is shorter than `SHORT` in some direction."""
     first, second = np.moveaxis(flat_gradients(mesh, rest_shape(mesh), flat_positions), 1, 0)
     a, b, c = (first * first).sum(1), (first * second).sum(1), (second * second).sum(1)

@@ -18,7 +18,7 @@ turned down over a stand both are lifted by the latter, and what is turned down 
 _FALLS_RISE = 0.5
 """Part of the rise of the second lift, on the slope of the shoulders: with all of it what is turned down may
 turn up again; with less than half it passes through what it lies on."""
-OVERLAPPING_CM = 1.5
+OVERLAPPING_CM = 0.8
 """So far above the lower one the upper of two fronts that overlap is lifted."""
 _AXIS_CM = 10.0
 """So far behind such fronts the axis stands that they are lifted away from."""

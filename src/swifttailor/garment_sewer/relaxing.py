@@ -17,11 +17,14 @@ from swifttailor.body.wearer import body_of
 from swifttailor.draping.fabric import Fabric
 from swifttailor.errors import SimulationError
 from swifttailor.garment.garment import Garment
+from swifttailor.garment_sewer.clear_of_feet import clear_of_feet
+from swifttailor.garment_sewer.covering import cover_cleft
 from swifttailor.garment_sewer.crumpling import CRUMPLED, smoothed_where_crumpled
 from swifttailor.garment_sewer.layers import layers_lifted, overlapping_vertices
 from swifttailor.garment_sewer.legs_apart import legs_apart
 from swifttailor.garment_sewer.pixels.body_distance import BodyDistance
 from swifttailor.garment_sewer.pleats_laid import pleats_laid
+from swifttailor.garment_sewer.sleeves_laid import sleeves_laid
 from swifttailor.panel_mesh.pattern_mesh import PatternMesh
 from swifttailor.pattern.check import panel_regions
 from swifttailor.progress import StageProgress
@@ -36,10 +39,12 @@ APART_FRAMES = 14
 """So long legs fall that were moved apart."""
 SLIPPED_CM, UPPERMOST = 2.5, 0.1
 """So far the uppermost tenth of the vertices may fall on average."""
-OVERLAPPING_FRAMES = 24
+OVERLAPPING_FRAMES = 40
 """So long fronts fall that overlap."""
 PLEATED_FRAMES = 24
 """So long pleats fall after they were laid."""
+SLEEVE_FRAMES = 20
+"""So long sleeves fall that were laid around the arms."""
 WIDE_FRAMES = 20
 """So long tops fall that hang free of the waist: as they were predicted, they stand out like bells."""
 FREE_CM = 2.4
@@ -88,10 +93,14 @@ def relaxed(
     body = body_of(garment.pattern.drafted_for) if body is None else body
     frames, smooth = FRAMES, None
     begun = replace(garment, vertices=layers_lifted(garment, body))
+    sleeves = sleeves_laid(begun.mesh, begun.vertices, body)
+    if sleeves is not None:
+        begun = replace(begun, vertices=sleeves)
     if overlapping_vertices(garment.mesh):
         frames = OVERLAPPING_FRAMES
     elif hangs_free(begun, body):
         frames = WIDE_FRAMES
+    frames = frames if sleeves is None else max(frames, SLEEVE_FRAMES)
     pleated = pleats_laid(begun.mesh, begun.vertices, body)
     if pleated is not None:
         begun, frames = replace(begun, vertices=pleated), PLEATED_FRAMES
@@ -103,6 +112,8 @@ def relaxed(
     if apart is not None:
         frames, smooth = max(frames, APART_FRAMES), apart
     is_plain = pleated is None and smooth is None
+    begun = replace(begun, vertices=clear_of_feet(begun.vertices, body))
+    smooth = None if smooth is None else clear_of_feet(smooth, body)
     smoothed = SMOOTHED_FRAMES if is_plain and lies_close_behind(begun.vertices, body) else 0
     try:
         fallen = relax(
@@ -123,7 +134,7 @@ def relaxed(
     more = _crossings(garment.mesh, fallen.vertices) - MORE_CROSSINGS * len(garment.mesh.faces)
     if more > 0 and more > _crossings(garment.mesh, garment.vertices):
         return replace(garment, report=garment.report | {"not_relaxed": _TANGLED, "seconds": seconds})
-    return fallen
+    return replace(fallen, vertices=cover_cleft(fallen.mesh, fallen.vertices, body))
 
 
 def hangs_free(garment: Garment, body: Body) -> bool:

@@ -237,6 +237,14 @@ def test_rows_of_smocking_run_on_over_darts(drafts):
     assert len(of_front) >= 10
 
 
+def test_zips_aslant_end_beside_darts_from_the_hem():
+    short = draft("blazer", length=11.0, waist_shaping=2.0, opening=0.0, neck_depth=20.0)
+    pattern = replace(short, trims=("asymmetric zip",))
+    trims = place_trims(pattern)
+    assert {trim.panel for trim in trims} == {"left_ftorso", "right_ftorso"}
+    assert_on_panels(pattern, trims)
+
+
 def test_nothing_is_put_on_unasked(drafts):
     assert all(place_trims(pattern) == () for pattern in drafts.values())
 

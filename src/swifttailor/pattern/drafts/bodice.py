@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from swifttailor.pattern.drafts.armholes import RACER_NECK, armhole, leaning_tip, racer_armhole
+from swifttailor.pattern.drafts.back_hollow import BackHollow, back_hollow, draw_centre_back
 from swifttailor.pattern.drafts.bust_dart import draw_side_with_bust_dart
-from swifttailor.pattern.drafts.cutting_table import CuttingTable, Piece
+from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure, Halves
 from swifttailor.pattern.drafts.hem_dart import darted_half, draw_darted_hem, hem_dart
 from swifttailor.pattern.drafts.neckline import Neckline, draw_bare_back, draw_neckline
-from swifttailor.pattern.drafts.outline import Outline, Point, Side
+from swifttailor.pattern.drafts.outline import Outline, Point
 from swifttailor.pattern.drafts.side_seam import (
     OPEN_SHARE,
     SHORTEST_SLIT,
@@ -44,12 +45,6 @@ SHORT_CM = 12.0
 """Shaped tops that end less far below the waist have no room to widen again."""
 POINT_X = 5.0
 """Distance of the point of a pointed front hem from the middle, cm."""
-OVER_SHARE = 0.35
-"""Part of an overlap that lies beyond the middle, on the side of the lower front."""
-_STEEPEST = 0.8
-"""An overlap at the hem over the length of what is open, at most."""
-OVERLAP_Z = 6.0
-"""So far behind the upper front the lower one stands before draping, cm."""
 _LEVEL_TO, _LEVEL_FROM = 0.55, 0.72
 """As parts of the way to the side, controls of a hem that is level in the middle and again at the side."""
 _PER_SHAPING = 2.0
@@ -167,6 +162,8 @@ def lay_loose_bodice(table: CuttingTable, figure: Figure, shape: LooseBodice) ->
     if shape.front_opening < 0.0:  # fronts that lie over each other would stand out in front
         on_seat = 0.0
     behind = on_seat * runs_back(chest, body, widening, under_y - hem_y)
+    room = chest.girth - 4 * shaping - figure.waist.girth
+    hollow = None if short or follows else back_hollow(figure.waist_y, shaping=shape.waist_shaping, room=room)
     length, followed = None, None
     for side, half in (("f", chest.front), ("b", chest.back)):
         front = side == "f"
@@ -223,6 +220,7 @@ def lay_loose_bodice(table: CuttingTable, figure: Figure, shape: LooseBodice) ->
             slit=slit if front else 0.0,
             blade=_RACER_FULLNESS if shape.racer else BLADE_FULLNESS,
             racer=shape.racer and not front,
+            hollow=None if front else hollow,
         )
     sew_torso(table)
 
@@ -295,6 +293,7 @@ def lay_torso_half(
     slit: float = 0.0,
     blade: float = BLADE_FULLNESS,
     racer: bool = False,
+    hollow: BackHollow | None = None,
 ) -> None:
     """Draws the upper end of a left front or back, and lays it.
 
@@ -310,6 +309,7 @@ def lay_torso_half(
         slit: Length of the lower end of the centre that is left open, cm; less where the centre is short.
         blade: Extra length of the back over the shoulder blades, as a part of the waist line.
         racer: Whether the armhole is cut in between the shoulder blades.
+        hollow: How the middle of a back is drawn in; None where it is straight.
     """
     lift = balance * figure.front_fullness if front else blade * (figure.neck_y - figure.waist_y)
     neck, tip = ((x, figure.shoulder_line(x) + lift) for x in shoulder)
@@ -333,6 +333,8 @@ def lay_torso_half(
     slit = min(slit, OPEN_SHARE * (outline.sides[-1].end[1] - low[1]))
     if slit >= SHORTEST_SLIT:
         outline.line("centre", outline.sides[-1].end[0], low[1] + slit).line("slit", *low)
+    elif hollow is not None:
+        draw_centre_back(outline, low, hollow)
     else:
         outline.line("centre", *low)
     outline.closed()
@@ -358,40 +360,6 @@ def sew_centres(table: CuttingTable) -> None:
     """Sews the right half to the left one along centre front and centre back."""
     table.seam("right_ftorso.centre", "left_ftorso.centre")
     table.seam("left_btorso.centre", "right_btorso.centre")
-
-
-def overlap_fronts(table: CuttingTable, opening: float) -> None:
-    """Lays the right front over the left one below where they are sewn; after `CuttingTable.mirror`.
-
-    Args:
-        table: Where both lie.
-        opening: See `LooseBodice.front_opening`; nothing is done unless it is negative.
-    """
-    parted = [_front_slit(table.pieces[name]) for name in ("left_ftorso", "right_ftorso")]
-    if opening >= 0.0 or None in parted:
-        return
-    reach = min(-opening, _STEEPEST * min(slit.length for slit in parted if slit is not None))
-    for name, slit, x in zip(
-        ("left_ftorso", "right_ftorso"), parted, (OVER_SHARE * reach - reach, OVER_SHARE * reach), strict=True
-    ):
-        assert slit is not None
-        corner = min(slit.start, slit.end, key=lambda point: point[1])
-        moved = (x, corner[1])
-        piece = table.pieces[name]
-        piece.sides = [
-            replace(s, start=moved if s.start == corner else s.start, end=moved if s.end == corner else s.end)
-            for s in piece.sides
-        ]
-    lower = table.pieces["left_ftorso"]
-    place = lower.placement
-    behind = (*place.translation[:2], place.translation[2] - OVERLAP_Z)
-    lower.placement = replace(place, translation=behind)
-
-
-def _front_slit(piece: Piece) -> Side | None:
-    """The edge in the middle that is open from the hem up; slits in side seams have the same name."""
-    slits = [s for s in piece.sides if s.name == "slit" and min(abs(s.start[0]), abs(s.end[0])) < 1e-6]
-    return slits[0] if slits else None
 
 
 def _hem_rise(widening: float, side: float, hem_x: float) -> float:

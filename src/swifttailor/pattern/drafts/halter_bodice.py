@@ -24,7 +24,7 @@ _BARE, _BARE_ABOVE = 8.0, 2.0
 """A back that falls farther is bare, and ends at least so far above the waist, cm."""
 _LEANS = 0.6
 """How much of a dart that would end in its edge is lost at the underarm instead."""
-_CLOSER = 2.5
+_CLOSER = 4.5
 """How much narrower each half of a fitted back is at its upper edge, so that it does not stand off, cm."""
 _CLOSER_LOOSE = 2.0
 """The same of a top that hangs."""

@@ -10,7 +10,7 @@ from swifttailor.pattern.drafts.figure import Figure
 from swifttailor.pattern.drafts.outline import Outline
 from swifttailor.pattern.drafts.side_seam import as_long, side_length
 
-_OVER_BUST_CM, _UNDER_ARM_CM = 7.0, 1.5
+_OVER_BUST_CM, _UNDER_ARM_CM = 7.0, 3.0
 """Height of its upper edge over the fullest part of the bust in front; how far below the armpit it is at the
 sides and behind, cm."""
 _SHORTEST_SIDE_CM = 6.0

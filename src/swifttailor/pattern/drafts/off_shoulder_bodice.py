@@ -12,6 +12,7 @@ from swifttailor.pattern.drafts.bodice import (
     FRONT_Z,
     HEM_BALANCE,
     SIDE_MINIMUM,
+    ribs_at,
     shoulder_tip_x,
 )
 from swifttailor.pattern.drafts.bust_dart import draw_side_with_bust_dart
@@ -26,6 +27,8 @@ SCOOPS = {"f": 0.72, "b": 0.5}
 """How deep the armholes are cut, front and back."""
 LEAST_HEAD = 2.5
 """Armhole that remains below the edge, cm."""
+_ON_RIBS_CM, _STEEPEST = 5.0, 0.2
+"""Room at a hem above the waist, cm around, and the steepest sides that narrow to it."""
 
 
 @dataclass(frozen=True)
@@ -74,7 +77,10 @@ def _lay_to_hem(table: CuttingTable, figure: Figure, shape: OffShoulderBodice) -
     hem_y = figure.waist_y - shape.length
     under_y = max(figure.armpit_y - 1.5, hem_y + SIDE_MINIMUM)
     body = figure.girth_below_waist(shape.length).eased(6.0)
-    widening = max(body.girth - chest.girth, 0.0) / 4 if shape.length > 0 else 0.0
+    widening = max(body.girth - chest.girth, 0.0) / 4
+    if shape.length <= 0:  # what hangs from the bust would stand off like a bell
+        narrower = chest.girth - ribs_at(figure, hem_y).eased(_ON_RIBS_CM).girth
+        widening = -min(max(narrower / 4, 0.0), _STEEPEST * (under_y - hem_y))
     widening += shape.flare / 4
     whole = {}
     for side, half in _sides(chest):

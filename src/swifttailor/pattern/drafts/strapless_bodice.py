@@ -11,6 +11,8 @@ from swifttailor.pattern.drafts.figure import Figure, Halves
 
 OVER_BUST = 8.0
 """Height of the front's upper edge over the fullest part of the bust, cm."""
+_DROP_CM = 3.0
+"""So far below the armpit its upper edge is at the sides, cm: higher, it stands off in points at the arms."""
 TAKEN_IN, TAKEN_IN_BEHIND = 1.5, 1.0
 """So far the middle of the upper edge is taken in, on either side, cm: the body is narrower over the bust."""
 
@@ -35,7 +37,7 @@ def lay_strapless_bodice(table: CuttingTable, figure: Figure, shape: StraplessBo
     Returns:
         The sewn half widths at the waist, cm.
     """
-    block = DartedBlock.of(figure, bust_ease=shape.bust_ease, waist_ease=shape.waist_ease, drop=1.0)
+    block = DartedBlock.of(figure, bust_ease=shape.bust_ease, waist_ease=shape.waist_ease, drop=_DROP_CM)
     for side in "fb":
         front = side == "f"
         outline = block.begin_half(front=front)

@@ -12,6 +12,8 @@ _ZIP = 0.6
 """Half the width of the teeth, cm."""
 _AT_NECK, _AT_HEM = 5.5, 13.0
 """How far from the middle such a zip begins at the neck, and at most how far it ends at the hem, cm."""
+_BESIDE_DARTS = 4.5
+"""How far it ends there where darts from the hem are in its way, cm."""
 _BELOW_NECK, _ABOVE_HEM, _SHORTEST = (1.2, 5.0, 9.0, 13.0, 17.0, 21.0), 1.0, 12.0
 _SIDES = (("left", 1), ("right", -1))
 _FLAP, _ROUNDED = 17.0, 4.0
@@ -28,15 +30,18 @@ def asymmetric_zip(chalk: Chalk, name: str) -> list[Trim]:
     if left is None or right is None or begins is None:
         return []
     span = right.span(right.low + 3.0)
-    hem = None if span is None else right.column(-min(_AT_HEM * s, 0.6 * abs(span[0])))
-    if span is None or hem is None:
+    if span is None:
         return []
-    end = np.array([-min(_AT_HEM * s, 0.6 * abs(span[0])), hem[0] + _ABOVE_HEM])
-    for below in _BELOW_NECK:  # on what is cut out deeply it begins lower
-        start = np.array([_AT_NECK * s, begins[1] - below * s])
-        found = _teeth(chalk, name, start, end) if start[1] - end[1] >= _SHORTEST * s else []
-        if found:
-            return found
+    for reach in (min(_AT_HEM * s, 0.6 * abs(span[0])), _BESIDE_DARTS * s):
+        hem = right.column(-reach)
+        if hem is None:
+            continue
+        end = np.array([-reach, hem[0] + _ABOVE_HEM])
+        for below in _BELOW_NECK:  # on what is cut out deeply it begins lower
+            start = np.array([_AT_NECK * s, begins[1] - below * s])
+            found = _teeth(chalk, name, start, end) if start[1] - end[1] >= _SHORTEST * s else []
+            if found:
+                return found
     return []
 
 

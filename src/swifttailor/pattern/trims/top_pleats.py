@@ -31,9 +31,9 @@ _OF_NECK_GATHERS = (0.08, 0.2, 0.32, 0.44, 0.56, 0.68, 0.8, 0.9)
 _ON_SHOULDER_GATHERS = (0.18, 0.32, 0.46, 0.6, 0.74, 0.86)
 _GATHERS = (6.5, 4.5, 8.0, 5.0)
 """Where gathers begin, in the same parts, and how long they are in turn, cm."""
-_BACK_FROM_MIDDLE, _BACK_BELOW = 2.0, 11.0
-"""How far both folds of a box pleat lie beside the middle of the back, and how far below the neck they begin,
-cm."""
+_BACK_FROM_MIDDLE, _BESIDE_HOLLOW, _BACK_BELOW = 2.0, 3.8, 11.0
+"""How far both folds of a box pleat lie beside the middle of the back, and of one that is drawn in at the
+waist; how far below the neck they begin, cm."""
 
 
 def pleated_front(chalk: Chalk, name: str) -> list[Trim]:
@@ -103,16 +103,25 @@ def _from_shoulders(
 
 
 def back_pleat(chalk: Chalk, name: str) -> list[Trim]:
-    """Both folds of a box pleat down the middle of the back, from the height of a yoke on."""
+    """Both folds of a box pleat down the middle of the back, from the height of a yoke on.
+
+    Where that is drawn in at the waist they lie farther apart.
+    """
+    found = _back_folds(chalk, name, _BACK_FROM_MIDDLE * chalk.size)
+    return found or _back_folds(chalk, name, _BESIDE_HOLLOW * chalk.size)
+
+
+def _back_folds(chalk: Chalk, name: str, aside: float) -> list[Trim]:
+    """The same, so far from the middle, cm."""
     pieces: list[Trim] = []
     s = chalk.size
     for half, sign in _HALVES:
         view = chalk.views.get(f"{half}_btorso")
-        column = None if view is None else view.column(sign * _BACK_FROM_MIDDLE * s)
+        column = None if view is None else view.column(sign * aside)
         if view is None or column is None:
             return []
         low, high = column[0] + _INSIDE, column[1] - _BACK_BELOW * s
-        found = _fold(chalk, name, view, [(sign * _BACK_FROM_MIDDLE * s, y) for y in (high, low)], _FOLD)
+        found = _fold(chalk, name, view, [(sign * aside, y) for y in (high, low)], _FOLD)
         if high - low < _SHORTEST * s or not found:
             return []
         pieces += found

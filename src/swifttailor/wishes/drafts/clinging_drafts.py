@@ -38,7 +38,10 @@ _OF_DRESSES = (
 _SHORTEST_CM = 25.0
 _DEEPEST_BACK_CM = 16.0
 """Backs that are bare further down end at a seam at the waist."""
-_SKIRT_CM: Mapping[str, float] = {"fitted-dress": 60.0, "skater-dress": 50.0}
+_SKIRT_CM: Mapping[str, float] = {"fitted-dress": 60.0, "skater-dress": 50.0, "shirt-dress": 55.0}
+_SHIRT_DRESS, _PULLED_ON = "shirt-dress", ("rolled", "standing")
+"""Of shirt dresses, those that have such a collar, and no buttons."""
+_SHIRT_SLEEVES: Mapping[str, float | bool] = {"sleeves": True, "sleeve_length": 58.0}
 _CLOSE_SKIRTS = ("pencil", "straight", "narrowing")
 _WITH_WAIST = frozenset({"waist_seam", "slit", "tiers", "gores"})
 _CHEST_CM, _ARM_CM = 2.0, 4.0
@@ -72,7 +75,8 @@ def clinging_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
         claims: What is asked for, all of it.
     """
     bare = float(dict(draft.options).get("back_neck_depth", 0.0)) > _DEEPEST_BACK_CM
-    if draft.name in _DRESSES and not any(_has_waist(claim) for claim in claims):
+    collared = draft.name == _SHIRT_DRESS and dict(draft.options).get("collar") in _PULLED_ON
+    if (draft.name in _DRESSES or collared) and not any(_has_waist(claim) for claim in claims):
         draft = _close_below(draft) if bare else _without_waist(draft)
     options = dict(draft.options)
     if draft.name in _KNITTED:
@@ -108,6 +112,8 @@ def _without_waist(draft: NamedDraft) -> NamedDraft:
     options = dict(draft.options)
     length = max(float(options.get("skirt_length", _SKIRT_CM[draft.name])), _SHORTEST_CM)
     kept = {name: options[name] for name in _OF_DRESSES if name in options}
+    if draft.name == _SHIRT_DRESS:
+        kept = {**_SHIRT_SLEEVES, **kept}
     return NamedDraft("shift-dress", tuple({"length": length, **kept}.items()))
 
 

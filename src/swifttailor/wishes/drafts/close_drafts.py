@@ -15,7 +15,9 @@ _PULLED_ON: Mapping[str, tuple[float, float]] = dict.fromkeys(
     ("t-shirt", "tank-top", "turtleneck"), (3.0, 3.0)
 )
 """Room on top of the bust girth, and how far each side bends in at the waist, cm."""
-_BUTTONED: Mapping[str, tuple[float, float]] = dict.fromkeys(("shirt", "polo-shirt", "blazer"), (4.0, 2.5))
+_BUTTONED: Mapping[str, tuple[float, float]] = dict.fromkeys(
+    ("shirt", "polo-shirt", "blazer", "cardigan"), (4.0, 2.5)
+)
 """The same of what has buttons; made close by cutting it would be too narrow at the hips, and ride up."""
 
 _CAMISOLE: Mapping[str, float] = {"chest_ease": 3.0, "flare": 0.0, "waist_shaping": 2.0}

@@ -16,13 +16,15 @@ _CROPPED: Mapping[str, tuple[str, Mapping[str, float]]] = {
         ("chest_ease", {"cropped": 3.5, "waist": 5.5}),
     ),
     **dict.fromkeys(("sweatshirt", "hoodie"), ("chest_ease", {"cropped": 6.0, "waist": 7.0})),
-    "camisole": ("chest_ease", {"cropped": -4.0}),
+    **dict.fromkeys(("camisole", "off-shoulder-top"), ("chest_ease", {"cropped": -4.0})),
     "cardigan": ("chest_ease", {"cropped": 3.0, "waist": 6.0}),
+    "blazer": ("chest_ease", {"cropped": 1.0, "waist": 5.0}),
     **dict.fromkeys(
         ("t-shirt", "shirt", "turtleneck", "tank-top"), ("chest_ease", {"cropped": -2.0, "waist": 1.0})
     ),
 }
 """Where the hems of drafts are that are asked to end above the hips, cm below the waist, and their room."""
+_CLOSE_AT_BUST = ("camisole", "off-shoulder-top")
 _WITH_WINGS_CM: Mapping[str, float] = {"t-shirt": 8.0, "sweatshirt": 12.0}
 """Hems of tops whose sleeves are cut in one lie at least so far below the waist, cm: above shorter ones such
 sleeves do not follow the arm."""
@@ -49,6 +51,16 @@ _SHORT_CARDIGAN: Mapping[str, float] = {
     "armhole_drop": 4.0,
     "arm_ease": 9.0,
 }
+_SHORT_BLAZER: Mapping[str, float] = {
+    **{"neck_depth": 24.0, "lapel_width": 6.5, "chest_ease": 7.0, "opening": 0.0},
+    **{"waist_shaping": 3.0, "sleeve_end": 25.0},
+}
+_SHAPED_JACKET: Mapping[str, float] = {
+    **{"chest_ease": 8.0, "waist_shaping": 3.0, "armhole_drop": 4.0},
+    **{"arm_ease": 9.0, "sleeve_end": 25.0},
+}
+"""Of jackets on a standing collar that end at the waist, without which their backs hang like capes."""
+_HIGH_HIP_JACKET: Mapping[str, float] = {**_SHAPED_JACKET, "waist_shaping": 2.5, "length": 11.0}
 _PADDED_CM, _BOMBER = 18.0, "bomber-jacket"
 """Jackets on a standing collar with so much room are padded; where they are short, a band draws them in."""
 _KEPT: Mapping[str, tuple[float, float]] = {
@@ -75,6 +87,8 @@ def cropped_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     if _is_padded(draft) and not _SHORT.isdisjoint(claims) and _BARE_ARMS not in claims:
         draft = _banded(draft)
     if draft.name in _JACKETS and _HIGH_HIP in claims and _SHORT.isdisjoint({*claims} - {_HIGH_HIP}):
+        if _is_jacket(draft) and not any(c.name == "fit" and c.value in _LOOSE for c in claims):
+            return replace(draft, options=tuple({**dict(draft.options), **_HIGH_HIP_JACKET}.items()))
         length = min(float(dict(draft.options).get("length", _SHORT_JACKET_CM)), _SHORT_JACKET_CM)
         return replace(draft, options=tuple({**dict(draft.options), "length": length}.items()))
     if draft.name not in _CROPPED:
@@ -85,7 +99,9 @@ def cropped_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
         return draft
     own = dict(draft.options)
     if draft.name == "cardigan":
-        return _buttoned_short(draft, asked[0])
+        return _buttoned_short(draft, asked[0], _SHORT_CARDIGAN)
+    if draft.name == "blazer":
+        return _buttoned_short(draft, asked[0], _SHORT_BLAZER)
     if own.get("waist_shaping") and 0.0 <= asked[0] <= float(own.get("length", 99.0)) <= SHAPED_TO_CM:
         return draft
     options = {**own, "length": asked[0]}
@@ -97,9 +113,19 @@ def cropped_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
         options["length"] = max(asked[0], _WITH_WINGS_CM.get(draft.name, 8.0))
     elif draft.name in _BANDED and asked[0] == lengths["cropped"]:
         options |= {k: min(float(options.get(k, most)), most) for k, most in _CROPPED_BANDED.items()}
-    elif asked[0] < 0 and draft.name != "camisole":  # which is close at the bust by itself
+    elif _is_jacket(draft) and not any(c.name == "fit" and c.value in _LOOSE for c in claims):
+        options = {**options, **_SHAPED_JACKET, "length": asked[0]}
+    elif asked[0] < 0 and draft.name not in _CLOSE_AT_BUST:  # which are close at the bust by themselves
         options[room] = min(float(options.get(room, _CROPPED_EASE_CM)), _CROPPED_EASE_CM)
     return replace(draft, options=tuple(options.items()))
+
+
+def _is_jacket(draft: NamedDraft) -> bool:
+    """Whether it is a jacket on a collar that stands, without room for others below: darts shape it."""
+    own = dict(draft.options)
+    close = float(own.get("chest_ease", 0.0)) < _OVER_OTHERS_CM and not own.get("stretch")
+    stands = draft.name == "turtleneck" and own.get("rolled") is False
+    return stands and close and bool(own.get("sleeves", True))
 
 
 def _is_padded(draft: NamedDraft) -> bool:
@@ -117,9 +143,9 @@ def _banded(draft: NamedDraft) -> NamedDraft:
     return NamedDraft(_BOMBER, tuple(kept.items()))
 
 
-def _buttoned_short(cardigan: NamedDraft, length: float) -> NamedDraft:
-    """A cardigan that ends at the waist, buttoned from a higher neck to the hem; open ones stay open."""
+def _buttoned_short(cardigan: NamedDraft, length: float, short: Mapping[str, float]) -> NamedDraft:
+    """A cardigan or blazer that ends at the waist, buttoned to the hem; open ones stay open."""
     own = dict(cardigan.options)
     if float(own.get("opening", _BARELY_CM)) > _BARELY_CM or float(own.get("length", length + 1.0)) <= length:
         return cardigan
-    return replace(cardigan, options=tuple({**_SHORT_CARDIGAN, **own, "length": length}.items()))
+    return replace(cardigan, options=tuple({**short, **own, "length": length}.items()))

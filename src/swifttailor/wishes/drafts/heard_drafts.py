@@ -71,7 +71,9 @@ _CUT_AS = {"tunic": "top", "shorts": "trousers", "playsuit": "jumpsuit"}
 _STRAIGHT = Claim("skirt", "straight")
 _FULL_SKIRTS = {Claim("skirt", "flared"), Claim("skirt", "circle")}
 _WHATEVER = NamedDraft("t-shirt", (("neck_widening", 0.7), ("chest_ease", 8.0), ("waist_shaping", 1.0)))
-_CLOSE = frozenset({Claim("fit", "close"), Claim("hips", "close")})
+_CLOSE_BODY = Claim("fit", "close")
+_CLOSE = frozenset({_CLOSE_BODY, Claim("hips", "close")})
+_TIGHT = "tight"
 _OF_MOODS = frozenset({Claim("sleeves", "long"), Claim("skirt_hem", "below the knee"), Claim("fit", "close")})
 """What words of fits that name a mood make likely, and a draft is to have: a modest dress, a sexy one."""
 _KNITTED, _CORDUROY = ("jersey", "rib-knit"), "twill"
@@ -243,12 +245,22 @@ def _moods(heard: Heard) -> list[Claim]:
 
 
 def _clings(heard: Heard) -> bool:
-    """Whether it is to be close, and of cloth that stretches: a skin-tight one, a close one of jersey."""
+    """Whether it is to be close, and of cloth that stretches: a tight one, a close one of jersey."""
     changes = [w.change for w in (*heard.sure, *heard.likely) if isinstance(w.change, Gain)]
     close = any(change.claim in _CLOSE for change in changes)
     stretches = any(STRETCH in entry.cannot for entry in heard.meant)
     ribbed = heard.ribs is not None and heard.cloth != _CORDUROY
-    return close and (stretches or ribbed or heard.cloth in _KNITTED)
+    tight = heard.cloth is None and any(_is_tight(entry) for entry in heard.meant)
+    return close and (stretches or ribbed or tight or heard.cloth in _KNITTED)
+
+
+def _is_tight(entry: Entry) -> bool:
+    """Whether it says of a garment that it is tight: closer than what is fitted."""
+    return (
+        entry.category == "fits"
+        and _TIGHT in (*entry.words, entry.english)
+        and _CLOSE_BODY in entry.claims("certain")
+    )
 
 
 def _named_skirts(heard: Heard, sure: Sequence[Claim]) -> list[Claim]:

@@ -7,7 +7,7 @@ from typing import Annotated, Literal
 
 from swifttailor.pattern.drafts import declared
 from swifttailor.pattern.drafts.band import lay_sleeve_cuff
-from swifttailor.pattern.drafts.bodice import LooseBodice, lay_loose_bodice, overlap_fronts, sew_centres
+from swifttailor.pattern.drafts.bodice import LooseBodice, lay_loose_bodice, sew_centres
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure
 from swifttailor.pattern.drafts.lapel_collar import LapelCollar
@@ -15,6 +15,7 @@ from swifttailor.pattern.drafts.measurements import Measurements
 from swifttailor.pattern.drafts.neck_collar import CollarHeight, NeckCollar, SewnCollarOption
 from swifttailor.pattern.drafts.neckline import Neckline
 from swifttailor.pattern.drafts.options import Option
+from swifttailor.pattern.drafts.overlapped_fronts import overlap_fronts
 from swifttailor.pattern.drafts.shaped_sleeve import (
     ArmholeCut,
     ArmholeCutOption,

@@ -10,7 +10,6 @@ from swifttailor.pattern.drafts.bodice import (
     LooseBodice,
     follows_body,
     lay_loose_bodice,
-    overlap_fronts,
     sew_centres,
 )
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
@@ -20,6 +19,7 @@ from swifttailor.pattern.drafts.measurements import Measurements
 from swifttailor.pattern.drafts.neck_collar import NO_COLLAR, CollarHeight, CollarOption, NeckCollar
 from swifttailor.pattern.drafts.neckline import Neckline
 from swifttailor.pattern.drafts.options import Option
+from swifttailor.pattern.drafts.overlapped_fronts import overlap_fronts
 from swifttailor.pattern.drafts.shaped_sleeve import (
     ArmholeCutOption,
     RaglanOption,
