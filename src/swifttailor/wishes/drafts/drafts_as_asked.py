@@ -28,6 +28,7 @@ from swifttailor.wishes.drafts.legged_drafts import legs_as_asked
 from swifttailor.wishes.drafts.skirted_coats import skirted_as_asked
 from swifttailor.wishes.drafts.sleeved_drafts import sleeves_as_asked
 from swifttailor.wishes.drafts.slit_skirts import slit_as_asked
+from swifttailor.wishes.drafts.slits_as_told import is_slit, side_slits_cm
 from swifttailor.wishes.drafts.swimsuits_as_asked import swimsuit_as_asked
 
 _BARE = Claim("shoulders", "strapless")
@@ -54,6 +55,9 @@ _LOOSE_DRESS_CM: Mapping[str, tuple[float, float]] = {
 the wide armholes of what has more catch the arms."""
 _WAISTED = frozenset({"skirt", "waist_seam", "hips", "bodice", "shoulders", "straps", "slit", "waistband"})
 _STRAIGHT, _TENT = Claim("bodice", "undarted"), Claim("bodice", "flared")
+_A_LINE, _A_LINE_CM = Claim("skirt", "a-line"), 30.0
+_HANGING_SKIRTS = (_A_LINE, Claim("skirt", "straight"), Claim("slit", "none"), Claim("shoulders", "both"))
+"""What a dress without a waist seam may have, and by how much its hem is wider where that is to flare."""
 _STRAIGHT_CM, _TENT_CM = 10.0, 28.0
 """Room up to which a dress falls straight, and by how much the hem of a tent top is wider, all around."""
 _SKATER_CM = 50.0
@@ -87,8 +91,6 @@ _PIECES: Mapping[str, tuple[str, int, int]] = {
 """Option and claim of a number of pieces, and how few and many can be drafted."""
 _SLITS = (Claim("slit", "left"), Claim("slit", "right"))
 _SLIT_AT_THE_SIDES = ("t-shirt", "tank-top", "turtleneck", "shift-dress", "hooded-coat")
-_SLIT_CM, _HIGH_SLIT_CM = 14.0, 30.0
-_HIGH_SLIT = Claim("slit_size", "high")
 _SLIT_SKIRT_CM = 72.0
 _BIBBED, _WIDE_STRAP_CM = ("dungarees", "pinafore", "apron"), 6.0
 
@@ -125,8 +127,7 @@ def draft_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft | N
     draft = _with_close_neck(draft, claims)
     slit_by_name = SIDE_SLITS in dict(draft.options)
     if draft.name in _SLIT_AT_THE_SIDES and not slit_by_name and all(slit in claims for slit in _SLITS):
-        slit = _HIGH_SLIT_CM if _HIGH_SLIT in claims else _SLIT_CM
-        draft = replace(draft, options=(*draft.options, (SIDE_SLITS, slit)))
+        draft = replace(draft, options=(*draft.options, (SIDE_SLITS, side_slits_cm(claims))))
     if draft.name in _BIBBED and Claim("straps", "wide") in claims:
         draft = replace(draft, options=(*draft.options, (STRAP_WIDTH, _WIDE_STRAP_CM)))
     legged = legs_as_asked(draft, claims)
@@ -139,13 +140,13 @@ def draft_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft | N
         draft = replace(draft, options=tuple({**dict(draft.options), "sleeves": False}.items()))
     draft = hooded_as_asked(draft, claims)
     draft = _without_sleeves(_standing(_with_collar(draft, claims), claims), claims)
-    if draft.name == "circle-skirt" and any(claim.name == "slit" for claim in claims):
+    if draft.name == "circle-skirt" and is_slit(claims):
         draft = NamedDraft("fitted-skirt", (("flare", 6.0),))
     if draft.name == "circle-skirt" and _GATHERED_SKIRT in claims:
         draft = NamedDraft("gathered-skirt", tuple([o for o in draft.options if o[0] == "length"]))
     if draft.name == "shirt-dress" and _GATHERED_SKIRT in claims:
         draft = replace(draft, options=tuple({**dict(draft.options), "gathers": _GATHERS}.items()))
-    if draft.name == "skater-dress" and any(claim.name == "slit" for claim in claims):
+    if draft.name == "skater-dress" and is_slit(claims):
         draft = NamedDraft("fitted-dress", (("skirt_length", _SLIT_SKIRT_CM),))  # where a slit is seen
     draft = held_as_asked(_hanging_loose(close_as_asked(draft, claims), claims), claims)
     draft = on_straps_that_hold(bared_as_asked(draft, claims))
@@ -327,7 +328,7 @@ def _without_sleeves(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     if draft.name == "t-shirt" and Claim("sleeves", "none") in claims:
         kept = {name: options[name] for name in _OF_TANKS if name in options}
         return NamedDraft("tank-top", tuple({**_SLEEVELESS, **kept}.items()))
-    if draft.name == "halter-dress" and any(claim.name == "slit" for claim in claims):
+    if draft.name == "halter-dress" and is_slit(claims):
         return replace(
             draft, options=tuple({**options, "skirt_fraction": 0.3, "length": _SLIT_SKIRT_CM}.items())
         )
@@ -341,7 +342,8 @@ def _hanging_loose(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
         return replace(draft, options=tuple({**options, "flare": _TENT_CM}.items()))
     straight = _STRAIGHT in claims or _TENT in claims
     fits = [str(claim.value) for claim in claims if claim.name == "fit" and claim.value in _LOOSE_DRESS_CM]
-    waisted = any(claim.name in _WAISTED and claim not in (_STRAIGHT, _TENT) for claim in claims)
+    hangs = _HANGING_SKIRTS if straight else ()
+    waisted = any(claim.name in _WAISTED and claim not in (_STRAIGHT, _TENT, *hangs) for claim in claims)
     if draft.name != "skater-dress" or waisted or not (straight or {"loose", "oversized"}.intersection(fits)):
         return draft
     sleeves = any(claim.name == "sleeves" and claim.value != "none" for claim in claims)
@@ -349,7 +351,8 @@ def _hanging_loose(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     if _TENT in claims:
         return NamedDraft("swing-dress", tuple({**kept, "sleeves": sleeves}.items()))
     ease = _LOOSE_DRESS_CM[fits[0] if fits else "easy"][sleeves]
-    wide = {"chest_ease": ease, "flare": 24.0 if ease > _STRAIGHT_CM else 8.0}
+    flare = 24.0 if ease > _STRAIGHT_CM else _A_LINE_CM if _A_LINE in claims else 8.0
+    wide = {"chest_ease": ease, "flare": flare}
     return NamedDraft("shift-dress", tuple({**kept, **wide, "sleeves": sleeves}.items()))
 
 

@@ -90,6 +90,8 @@ def unaccounted(
             continue
         if not mark.entries or mark.entries[0].category not in _OF_THE_CUT or mark.role == "theirs":
             continue
+        if mark.denied and any(entry.cannot for entry in mark.entries):  # "no train": it is left out
+            continue
         if mark in opposed or any(start <= mark.start < end for start, end in told):  # named as such
             continue
         if any(0 <= mark.start - end <= 2 for end in numbers):

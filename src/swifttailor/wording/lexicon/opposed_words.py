@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
@@ -14,6 +15,12 @@ if TYPE_CHECKING:
     from swifttailor.wording.lexicon.reading import Implication, WordMark
 
 _SHORTS, _TO_THE_FEET = Claim("kind", "shorts"), Claim("leg_hem", "full")
+_NO_SLEEVES = Claim("sleeves", "none")
+_NAMED_BY: Mapping[str, re.Pattern[str]] = {
+    "sleeves": re.compile("sleeve", re.IGNORECASE),
+    "collar": re.compile("collar|lapel|neck", re.IGNORECASE),
+}
+"""What a name says itself of sleeves and collars: a "turtleneck" has no other one."""
 _TOLD_BY: Mapping[bool, tuple[Certainty, ...]] = {True: ("certain", "usual"), False: ("certain",)}
 """How sure what words about details, and what names of garments mean must be to contradict other words."""
 
@@ -47,10 +54,15 @@ def opposed_pairs(text: str, implied: Sequence[Implication]) -> list[tuple[WordM
 
 
 def _only_usual(named: Implication, said: Implication) -> bool:
-    """Whether the name of a garment has other sleeves than are said: coats may be had without any."""
-    if named.said or not said.said or named.claim.name != "sleeves":
+    """Whether what is named is had otherwise, too, and a word says so.
+
+    Coats without sleeves or with a collar that stands; one shoulder with a sleeve on it.
+    """
+    if said.said and named.claim == _NO_SLEEVES and named.certainty != "certain":
+        return said.claim.name == "sleeves"
+    if named.said or not said.said or named.claim.name not in _NAMED_BY:
         return False
-    return "sleeve" not in named.mark.word.lower()
+    return _NAMED_BY[named.claim.name].search(named.mark.word) is None
 
 
 def _held_up(neckline: Implication, straps: Implication) -> bool:
