@@ -103,7 +103,7 @@ class ClothPrint:
 
     @property
     def is_tartan(self) -> bool:
-        """Whether it is a plaid of three colours: what has two are thin lines alone, window panes and nets."""
+        """Whether it is a plaid of three colours: those of two are thin lines alone, panes and nets."""
         return self.kind == "plaid" and len(set(self.colors[:3])) > _FEWEST
 
     def size(self, name: str) -> float:

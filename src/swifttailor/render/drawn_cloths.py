@@ -12,7 +12,7 @@ from swifttailor.render.ramps import NAMED_SIDE, RAMP, cells, even_noise, scatte
 _TEETH = 8
 """Of houndstooth, in a repeat."""
 _SETT = (0, 0, 0, 0, 0, 2, 0, 2, 2, 2, 2, 4, 2, 2, 2, 2, 0, 2, 0, 0, 0, 0, 0, 4)
-"""Threads of a tartan across a repeat: 0 the ground, 2 the bands, 4 the lines; what they cross in is between."""
+"""Threads of a tartan across a repeat: 0 the ground, 2 the bands, 4 the lines; crossings lie between."""
 _SQUARES = 3
 """Of granny squares, across a repeat."""
 _ROUNDS = (0.34, 0.6, 0.84)
@@ -36,7 +36,7 @@ def tartan() -> Array:
 
 
 def granny_squares() -> Array:
-    """Squares of rounds in several colours, framed in the first, their stitches in bunches with holes between."""
+    """Squares of rounds in several colours, framed in the first, with holes between bunches of stitches."""
     x, y = cells()
     column, row = np.floor(_SQUARES * x), np.floor(_SQUARES * y)
     u, v = 2.0 * (_SQUARES * x % 1.0) - 1.0, 2.0 * (_SQUARES * y % 1.0) - 1.0

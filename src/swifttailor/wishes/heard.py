@@ -191,7 +191,12 @@ class Heard:
             return ()
         inks = () if self.print is None else self.print.colors
         blue = [f"#{_BLUE}"] if self.color == f"#{_COLOR_OF_CLOTH.get(self.cloth or '')}" else []
-        shown = [self.color, *blue, *inks, *[look.color for look in self.looks.looks if look.color is not None]]
+        shown = [
+            self.color,
+            *blue,
+            *inks,
+            *[look.color for look in self.looks.looks if look.color is not None],
+        ]
         return left_over(self.as_read, self.words, shown)
 
     def made_as(self, draft: NamedDraft) -> Heard:

@@ -216,9 +216,9 @@ _OF_ARCS = (("hem_shape", "scalloped"),)
 _OF_CLINGING = (("skirt", "pencil"), ("skirt", "straight"), ("hips", "close"), ("bodice", "darted"))
 """Cloth that stretches over the body follows it without darts."""
 _OF_SLITS = (("slit", "left"), ("slit", "right"))
-_OF_NO_SLITS: Mapping[str, tuple[tuple[str, str], ...]] = {
-    name: (("slit", "none"),) for name in ("shift-dress", "swing-dress", "t-shirt", "tank-top", "turtleneck")
-}
+_OF_NO_SLITS: Mapping[str, tuple[tuple[str, str], ...]] = dict.fromkeys(
+    ("shift-dress", "swing-dress", "t-shirt", "tank-top", "turtleneck"), (("slit", "none"),)
+)
 """What has no skirt to be measured, and no slits unless an option says so."""
 _OF_BIBS = (("fit", "loose"), ("fit", "easy"), ("fit", "oversized"))
 """Nothing goes around the chest of what has a bib."""

@@ -32,9 +32,7 @@ def as_long_as_told(found: Iterable[Wish], words: WordReading) -> tuple[Wish, ..
     return tuple([wish for wish in found if wish.change not in others])
 
 
-def with_named_sleeves(
-    found: Iterable[Wish], never: Iterable[Claim], words: WordReading
-) -> tuple[Wish, ...]:
+def with_named_sleeves(found: Iterable[Wish], never: Iterable[Claim], words: WordReading) -> tuple[Wish, ...]:
     """The same wishes with sleeves, where words speak of some: they are not left bare by what is only usual.
 
     "A sweetheart wedding dress, lace sleeves" has shoulders to sew these to.

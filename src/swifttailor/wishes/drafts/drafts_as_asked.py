@@ -309,15 +309,18 @@ def _with_close_neck(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     high = Claim("neck_depth", "high") in claims or Claim("neckline", "crew") in claims
     rounded = any(claim in claims for claim in (Claim("neckline", "round"), Claim("neckline", "crew")))
     worn = any(claim.name in ("collar", "hood") and claim.value != "none" for claim in claims)
+    rounded = rounded or not (_BARE_BACKS.isdisjoint(claims) or any(c.name == "neckline" for c in claims))
     if draft.name not in _V_NECKED or not (high and rounded) or worn or draft.stands:
         return draft
     options = dict(draft.options)
     close = _CLOSE_NECK if draft.name != _SWEATSHIRT else _CLOSE_SWEATSHIRT
-    if Claim("back_depth", "open") not in claims and Claim("back_depth", "low") not in claims:
+    if _BARE_BACKS.isdisjoint(claims):
         options |= {} if draft.name in (_SWEATSHIRT, "empire-dress") else {"back_neck_depth": 2.5}
     return replace(draft, options=tuple({**options, **close}.items()))
 
 
+_BARE_BACKS = frozenset({Claim("back_depth", "open"), Claim("back_depth", "low")})
+"""A collar that stands goes all around; with these a high neck is a close round one."""
 _CLOSE_NECK = {"neck_widening": 0.5, "neck_depth": 8.5}
 _CLOSE_SWEATSHIRT = {"neck_widening": 1.0, "neck_depth": 8.5}
 
@@ -369,7 +372,8 @@ def _stands(claims: Sequence[Claim]) -> bool:
     """Whether a collar is to stand; a high neck of which no more is said is such a one."""
     if _STAND in claims or _ROLLED in claims:
         return True
-    return Claim("neck_depth", "high") in claims and not any(c.name in _OF_NECKLINES for c in claims)
+    high = Claim("neck_depth", "high") in claims and not any(c.name in _OF_NECKLINES for c in claims)
+    return high and _BARE_BACKS.isdisjoint(claims)
 
 
 def _with_stand(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:

@@ -27,7 +27,8 @@ _METAL = re.compile(
     re.IGNORECASE,
 )
 _MARL = re.compile(
-    r"(?<!\w)(?:marle?d?|melange|mélange|meliert\w*|heather(?:ed)? gr[ea]y|heathered|chiné|jaspeado|gemêleerd|mescla)(?!\w)",
+    r"(?<!\w)(?:marle?d?|melange|mélange|meliert\w*|heather(?:ed)? gr[ea]y|heathered|chiné|jaspeado"
+    r"|gemêleerd|mescla)(?!\w)",
     re.IGNORECASE,
 )
 _LINEN = re.compile(r"(?<!\w)(?:linen|leinen\w*|lin|lino|linho|linnen|flax)(?!\w)", re.IGNORECASE)

@@ -115,7 +115,7 @@ SHADED = {
     "channels": (0.55, 0.0),
     "fur": (0.68, 0.22),
     "marl": (0.8, 0.24),
-    "linen": (0.91, 0.16),
+    "linen": (0.94, 0.12),
 }
 """The face of cloth, of one colour: how light its hollows are, and how much of white what stands out has;
 without any it is of the same hue, but brighter."""
