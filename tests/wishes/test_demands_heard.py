@@ -9,6 +9,7 @@ from swifttailor.describing.differences import Gain
 from swifttailor.wishes.descriptions.hearing import hear_description
 from swifttailor.wishes.heard import Heard
 from swifttailor.wishes.reader import WishReader
+from swifttailor.wishes.trims.trims_wanted import trims_wanted
 
 
 @pytest.fixture(scope="module")
@@ -27,6 +28,8 @@ def sure(heard: Heard) -> set[Claim]:
         ("sleeveless long sleeve top", {("sleeveless", "long sleeve top")}),
         ("officer's coat, knee length, stand collar", set()),
         ("crop top, one shoulder, long sleeve", set()),
+        ("trousers, tight on the thighs, wide from the knee", set()),
+        ("flared skinny jeans", {("flared", "skinny jeans")}),
         ("a polo neck with lapels", {("polo neck", "lapels")}),
     ],
 )
@@ -44,6 +47,7 @@ def test_contradictions_are_named_where_there_are_some(reader, text, pairs):
         "mom jeans but blue",
         "blouse to the hip bone",
         "trousers, waistband 74 cm, inseam 80 cm",
+        "trousers, tight on the bum and thighs, wide from the knee, low waist",
     ],
 )
 def test_nothing_is_said_of_what_was_understood(reader, text):
@@ -84,3 +88,14 @@ def test_high_necks_above_bare_backs_have_no_collar_that_stands(reader):
 def test_a_dress_without_a_waist_seam_hangs_from_the_shoulders(reader, text, name, flares):
     draft = hear_description(text, reader).drafts[0]
     assert draft.name == name and (float(dict(draft.options).get("flare", 0.0)) >= 20.0) == flares
+
+
+def test_buttons_that_are_counted_are_wanted(reader):
+    heard = hear_description("cropped cardigan, short sleeves, three buttons", reader)
+    assert "buttons" in {lack.what for lack in heard.lacks if lack.said}
+
+
+def test_a_hem_band_of_a_cardigan_is_put_on(reader):
+    heard = hear_description("cardigan with a ribbed hem", reader)
+    assert any(("hem rib",) in wish.choices for wish in trims_wanted(heard, "cardigan"))
+    assert ("waistband", "hem") in heard.drafts[0].is_to_the_eye

@@ -23,6 +23,7 @@ from swifttailor.wishes.drafts.sleeved_drafts import sleeves_as_asked
         ("skater-dress", {"sleeve_shape": "slim"}, {}),
         ("t-shirt", {"cuffs": "deep"}, {}),
         ("t-shirt", {"sleeves": "long"}, {"sleeve_length": 60.0, "sleeve_end": 24.0}),
+        ("t-shirt", {"sleeves": "three-quarter"}, {"sleeve_length": 41.0, "sleeve_end": 28.0}),
         ("t-shirt", {"sleeves": "short"}, {}),
         (
             "skater-dress",

@@ -303,6 +303,7 @@ _HALTER = (
 DRAFTS_ARE: Mapping[str, tuple[tuple[str, str], ...]] = {
     "blazer": (("bodice", "darted"),),
     "waistcoat": (("bodice", "darted"),),
+    "cardigan": (("waistband", "hem"),),
     "cape": (("fit", "oversized"), ("fit", "loose")),
     "pleated-skirt": (("skirt", "flared"), ("skirt", "a-line")),
     "halter-top": _HALTER,

@@ -54,6 +54,7 @@ _NOT_TOLD = ("kind", "shoulders")
 """What goes with other claims: what has no sleeves covers both shoulders or none."""
 _AT_SHOULDERS = ("shoulders", "straps", "sleeves", "neckline", "collar", "hood")
 _BARE, _STAND, _TURTLENECK = Claim("shoulders", "strapless"), Claim("collar", "stand"), "turtleneck"
+_HIGH = Claim("neck_depth", "high")
 _BARE_BACK = Claim("back_depth", "open")
 _BARE_BACKS = frozenset({_BARE_BACK, Claim("back_depth", "low")})
 _COLLAR, _OF_COLLARS = "collar", ("collar", "collar_width", "collar_height", "neck_depth")
@@ -228,13 +229,13 @@ def _told_beside(heard: Heard, entry: Entry) -> int:
 def _standing_necks(heard: Heard) -> list[Claim]:
     """A collar that stands, where a word about the neck begins from such a draft: "a high neck".
 
-    None does above a bare back.
+    None does above a bare back: a close round neck is high there.
     """
-    if not _BARE_BACKS.isdisjoint(_told_claims(heard)):
-        return []
+    bare = not _BARE_BACKS.isdisjoint(_told_claims(heard))
     outdone = _outdone(heard)
     stands = [e for e in heard.meant if e.category == "styles" and e.drafts and e not in outdone]
-    return [_STAND] if any(draft.name == _TURTLENECK for e in stands for draft in e.drafts) else []
+    high = any(draft.name == _TURTLENECK for e in stands for draft in e.drafts)
+    return [] if not high else [_HIGH if bare else _STAND]
 
 
 def _likely_bare(heard: Heard) -> list[Claim]:

@@ -60,7 +60,8 @@ _SLIM_ARM = 3.5
 """Room around the arm of sleeves that are to be close, cm."""
 _SLIM_ENDS: Mapping[float, float] = {16.0: 31.0, 22.0: 30.0, 34.0: 27.0, 44.0: 24.0, 60.0: 20.0, 66.0: 20.0}
 """Width around at their end, by their length, cm."""
-_PULLED_ON = "t-shirt"
+_PULLED_ON, _PULLED_ON_CM = "t-shirt", 41.0
+"""What is pulled on has three-quarter sleeves so long that nobody calls them long."""
 _OWN_LENGTHS: Mapping[str, float] = {_PULLED_ON: 22.0}
 """From the shoulder tip, cm, of drafts with sleeves that are not long unless told."""
 _DEEP_CM = 14.0
@@ -133,7 +134,8 @@ def _with_plain_sleeves(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraf
         options |= {"sleeve_length": min(told[0], _LONGEST_BARE_CM), "sleeve_end": _ENDS[told[0]]}
         return replace(draft, options=tuple(options.items()))
     if told and draft.name == _PULLED_ON and told[0] > _OWN_LENGTHS[_PULLED_ON]:
-        ends = {"sleeve_length": told[0], "sleeve_end": _ENDS[told[0]]}
+        length = _PULLED_ON_CM if _THREE_QUARTERS in claims else told[0]
+        ends = {"sleeve_length": length, "sleeve_end": _ENDS[told[0]]}
         return replace(draft, options=tuple({**ends, **options}.items()))
     if not told or draft.name not in _SET_IN or options.get("sleeves"):
         return draft

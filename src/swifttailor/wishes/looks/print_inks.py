@@ -233,7 +233,7 @@ def tartan_inks(named: Sequence[str]) -> tuple[str, ...]:
     """
     first = named[0]
     light = brightness(first) >= _LIGHT_FROM
-    band = named[1] if len(named) > 1 else mixed(first, DARK, 0.55 if light else 0.45)
+    band = named[1] if len(named) > 1 else mixed(first, DARK, 0.55 if light else 0.2)
     line = named[2] if len(named) > 2 else (INK if light else mixed(LIGHT, first, 0.75))
     return first, band, line
 

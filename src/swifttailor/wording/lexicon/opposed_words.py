@@ -21,6 +21,7 @@ _NAMED_BY: Mapping[str, re.Pattern[str]] = {
     "collar": re.compile("collar|lapel|neck", re.IGNORECASE),
 }
 """What a name says itself of sleeves and collars: a "turtleneck" has no other one."""
+_FROM_THE_KNEE = re.compile("knee|trumpet|bell|boot", re.IGNORECASE)
 _TOLD_BY: Mapping[bool, tuple[Certainty, ...]] = {True: ("certain", "usual"), False: ("certain",)}
 """How sure what words about details, and what names of garments mean must be to contradict other words."""
 
@@ -45,6 +46,8 @@ def opposed_pairs(text: str, implied: Sequence[Implication]) -> list[tuple[WordM
                 continue
             if _only_usual(one, other) or _only_usual(other, one):
                 continue
+            if _flares_below(one, other) or _flares_below(other, one):
+                continue
             if _held_up(one, other) or _held_up(other, one):
                 continue
             first, second = sorted((one.mark, other.mark), key=lambda mark: mark.start)
@@ -63,6 +66,12 @@ def _only_usual(named: Implication, said: Implication) -> bool:
     if named.said or not said.said or named.claim.name not in _NAMED_BY:
         return False
     return _NAMED_BY[named.claim.name].search(named.mark.word) is None
+
+
+def _flares_below(close: Implication, wide: Implication) -> bool:
+    """Whether legs are wide from the knee on alone: "tight on the thighs, out like a trumpet"."""
+    below = wide.claim.name == "legs" and wide.said and _FROM_THE_KNEE.search(wide.mark.word) is not None
+    return below and close.claim.name in ("fit", "hips", "legs")
 
 
 def _held_up(neckline: Implication, straps: Implication) -> bool:
