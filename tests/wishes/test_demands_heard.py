@@ -29,6 +29,7 @@ def sure(heard: Heard) -> set[Claim]:
         ("officer's coat, knee length, stand collar", set()),
         ("crop top, one shoulder, long sleeve", set()),
         ("trousers, tight on the thighs, wide from the knee", set()),
+        ("white shirt, puffed shoulders, long tight sleeves", set()),
         ("flared skinny jeans", {("flared", "skinny jeans")}),
         ("a polo neck with lapels", {("polo neck", "lapels")}),
     ],

@@ -76,6 +76,8 @@ def reader() -> WishReader:
         ("a top, neck 10 deep", {"neck_depth_cm=10.0"}),
         ("v neck 15 cm deep, sleeveless top", {"neck_depth_cm=15.0", "neckline=v"}),
         ("a circle skirt with a 4 cm waistband, 74 cm in all", {"waistband_cm=4.0", "skirt_length_cm=74.0"}),
+        ("a blouse, sleeves gathered to an 8 cm cuff", {"sleeve_shape=balloon", "cuff_cm=8.0"}),
+        ("top with sleeves with flounced cuffs", {"cuffs=flounce"}),
         ("tunic with slits on the side", {"slit=left", "slit=right"}),
         ("tunic with slits up to the waist", {"slit=left", "slit=right", "slit_size=high"}),
         ("top with long but not wide sleeves", {"sleeves=long"}),

@@ -30,6 +30,12 @@ from swifttailor.wishes.drafts.sleeved_drafts import sleeves_as_asked
             {"sleeves": "left only", "left_sleeve": "long"},
             {"sleeves": True, "sleeve_length": 60.0},
         ),
+        ("t-shirt", {"cuffs": "flounce"}, {"sleeve_shape": "flounced", "sleeve_length": 60.0}),
+        (
+            "skater-dress",
+            {"cuffs": "flounce", "sleeves": "short"},
+            {"sleeve_shape": "flounced", "sleeve_length": 22.0},
+        ),
         ("sweatshirt", {"sleeve_shape": "balloon"}, {"sleeve_shape": "balloon"}),
         ("shift-dress", {"sleeves": "long", "sleeve_shape": "wide"}, {"sleeve_shape": "wide"}),
         ("shift-dress", {"sleeves": "elbow", "sleeve_shape": "wide"}, {"sleeve_shape": "plain"}),

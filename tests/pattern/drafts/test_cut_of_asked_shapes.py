@@ -171,3 +171,10 @@ def test_long_wide_sleeves_widen_less_than_bells():
         for shape in ("plain", "wide", "bell")
     )
     assert plain + 15.0 < wide < bell - 8.0
+
+
+def test_flounced_sleeves_end_in_frills():
+    for length in (12.0, 22.0, 60.0):
+        facts = measure_facts(draft("t-shirt", sleeve_shape="flounced", sleeve_length=length))
+        assert Claim("cuffs", "flounce").holds(facts), length
+        assert facts.left_sleeve.length > length - 0.5

@@ -14,12 +14,12 @@ from swifttailor.pattern.drafts.options import Option
 from swifttailor.pattern.drafts.raglan import lay_raglan_sleeve
 from swifttailor.pattern.drafts.sleeve import Sleeve, lay_sleeve
 
-SleeveShape = Literal["plain", "puffed", "balloon", "bell", "wide", "trailing"]
+SleeveShape = Literal["plain", "puffed", "balloon", "bell", "wide", "flounced", "trailing"]
 SleeveShapeOption = Annotated[
     SleeveShape,
     Option(
         "Puffed: gathered at the shoulder. Balloon: full, gathered into a cuff. Bell: widens to the end. "
-        "Wide: widens a little. "
+        "Wide: widens a little. Flounced: plain, with a frill at its end. "
         "Trailing: hangs in a point below the wrist."
     ),
 ]
@@ -63,6 +63,8 @@ BAND_CM, BAND_EASE = 3.0, 3.0
 """Height of the band of a short sleeve and its room around the arm, cm."""
 CUFF_CM, CUFF_EASE = 6.0, 4.0
 """The same of the cuff of a long one."""
+FLOUNCE_CM, FLOUNCE_EASE, FLOUNCE_FLARE_CM = 10.0, 30.0, 7.0
+"""Height of the frill of a sleeve, its room at most where it is sewn on, and its flare, cm."""
 TRAILS_SHARE = 0.85
 """By which part of its length a trailing sleeve hangs down below the wrist."""
 LEAST_END_EASE = 4.0
@@ -105,6 +107,8 @@ def lay_shaped_sleeve(
         lay_sleeve(table, figure, replace(plain, trails=TRAILS_SHARE * plain.length))
     elif shape == "bell" and lay is lay_sleeve and plain.length <= FLUTTERING_CM:
         lay(table, figure, replace(plain, flare=FLUTTER_CM, fan=FLUTTER_FAN_CM))
+    elif shape == "flounced":
+        _lay_flounced(table, figure, plain, lay)
     elif shape == "wide":
         lay(table, figure, replace(plain, flare=WIDE_FLARE))
     elif shape in ("bell", "trailing"):
@@ -124,6 +128,16 @@ def ballooning(plain: Sleeve) -> Sleeve:
     """
     ease = max(plain.arm_ease, BALLOON_EASE)
     return replace(plain, arm_ease=ease, cap_ease=BALLOON_CAP, flare=BANDED_FLARE)
+
+
+def _lay_flounced(
+    table: CuttingTable, figure: Figure, plain: Sleeve, lay: Callable[[CuttingTable, Figure, Sleeve], None]
+) -> None:
+    """Lays a plain sleeve that ends in a frill cut nearly from a circle."""
+    height = min(FLOUNCE_CM, plain.length - SHORTEST_CM + BAND_CM)
+    at = plain.length - height
+    lay(table, figure, replace(plain, length=at))
+    lay_sleeve_cuff(table, figure, at, FLOUNCE_EASE, height, flare=FLOUNCE_FLARE_CM)
 
 
 def _lay_gathered(

@@ -12,6 +12,7 @@ from swifttailor.wording.lexicon import SURENESS, WordReading
 from swifttailor.wording.lexicon.conflicts import SCALES
 
 _NONE, _BARE = Claim("sleeves", "none"), Claim("shoulders", "strapless")
+_FRILL, _FRILLED_BAND = Claim("cuffs", "flounce"), Claim("cuffs", "band and flounce")
 _LENGTHS = frozenset(value for step in SCALES["sleeves"] for value in step)
 _OF_SLEEVES = frozenset({"sleeves", "left_sleeve", "sleeve_cm"})
 
@@ -19,16 +20,14 @@ _OF_SLEEVES = frozenset({"sleeves", "left_sleeve", "sleeve_cm"})
 def as_long_as_told(found: Iterable[Wish], words: WordReading) -> tuple[Wish, ...]:
     """The same wishes without another length of sleeves than words say.
 
-    A network takes "long" for that of both: "a long cardigan, three quarter sleeves".
+    A network takes "long" for that of both: "a long cardigan, three quarter sleeves". Nor are there bands
+    above the frills of flounced cuffs.
     """
-    told = {
-        i.claim.value
-        for i in words.implications
-        if i.said and i.certainty == "certain" and i.claim.name == "sleeves"
-    }
-    if len(told) != 1 or not told <= _LENGTHS:
-        return tuple(found)
-    others = {Gain(Claim("sleeves", value)) for value in _LENGTHS - told}
+    said = [i.claim for i in words.implications if i.said and i.certainty == "certain"]
+    told = {claim.value for claim in said if claim.name == "sleeves"}
+    others = {Gain(_FRILLED_BAND)} if _FRILL in said and _FRILLED_BAND not in said else set()
+    if len(told) == 1 and told <= _LENGTHS:
+        others |= {Gain(Claim("sleeves", value)) for value in _LENGTHS - told}
     return tuple([wish for wish in found if wish.change not in others])
 
 

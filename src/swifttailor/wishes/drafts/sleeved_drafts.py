@@ -40,6 +40,7 @@ _SHAPES: Mapping[str, str] = {
     "gathered end": "balloon",
     "wide": "plain",
 }
+_FLOUNCED = frozenset({Claim("cuffs", "flounce"), Claim("cuffs", "band and flounce")})
 """Of several that are asked for, the first decides."""
 _LENGTHS: Mapping[str, float] = {
     "cap": 16.0,
@@ -66,7 +67,7 @@ _OWN_LENGTHS: Mapping[str, float] = {_PULLED_ON: 22.0}
 """From the shoulder tip, cm, of drafts with sleeves that are not long unless told."""
 _DEEP_CM = 14.0
 """Height of cuffs that are to be deep."""
-_USUAL = {"puffed": 22.0, "bell": 44.0, "balloon": 60.0, "plain": 44.0}
+_USUAL = {"puffed": 22.0, "bell": 44.0, "balloon": 60.0, "plain": 44.0, "flounced": 60.0}
 """From the shoulder tip, cm, where nothing is said of the length."""
 _SLIM_END = 21.0
 """Width around at the end of long puffed sleeves, cm."""
@@ -90,6 +91,8 @@ def sleeves_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     """
     asked = {claim.value for claim in claims if claim.name == "sleeve_shape"}
     shape = next((made for named, made in _SHAPES.items() if named in asked), None)
+    if shape is None and not _FLOUNCED.isdisjoint(claims):
+        shape = "flounced"
     if Claim("sleeves", "none") in claims:
         return draft
     options = dict(draft.options)
@@ -113,6 +116,8 @@ def sleeves_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
         options |= _LONG_WIDE if long else _WIDE
     if shape == "puffed":
         options["sleeve_end"] = _SLIM_END
+    elif shape == "flounced":
+        options["sleeve_end"] = _ENDS.get(options["sleeve_length"], _ENDS[_LENGTHS["long"]])
     if draft.name in _SET_IN:
         options["sleeves"] = True
     return replace(draft, options=tuple(options.items()))

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from swifttailor.wording.lexicon.reading import Implication, WordMark
 
 _SHORTS, _TO_THE_FEET = Claim("kind", "shorts"), Claim("leg_hem", "full")
-_NO_SLEEVES = Claim("sleeves", "none")
+_NO_SLEEVES, _PUFFED = Claim("sleeves", "none"), Claim("sleeve_shape", "puffed")
 _NAMED_BY: Mapping[str, re.Pattern[str]] = {
     "sleeves": re.compile("sleeve", re.IGNORECASE),
     "collar": re.compile("collar|lapel|neck", re.IGNORECASE),
@@ -46,6 +46,8 @@ def opposed_pairs(text: str, implied: Sequence[Implication]) -> list[tuple[WordM
                 continue
             if _only_usual(one, other) or _only_usual(other, one):
                 continue
+            if _puffed_above(one, other) or _puffed_above(other, one):
+                continue
             if _flares_below(one, other) or _flares_below(other, one):
                 continue
             if _held_up(one, other) or _held_up(other, one):
@@ -66,6 +68,11 @@ def _only_usual(named: Implication, said: Implication) -> bool:
     if named.said or not said.said or named.claim.name not in _NAMED_BY:
         return False
     return _NAMED_BY[named.claim.name].search(named.mark.word) is None
+
+
+def _puffed_above(head: Implication, arm: Implication) -> bool:
+    """Whether sleeves are puffed at the shoulders alone: "puffed shoulders, tight sleeves"."""
+    return head.claim == _PUFFED and "shoulder" in head.mark.word.lower() and arm.claim.value == "slim"
 
 
 def _flares_below(close: Implication, wide: Implication) -> bool:
