@@ -76,7 +76,7 @@ _USUAL: Mapping[str, float] = {
 }
 _FEWEST, _MOST = 2, 6
 _GRAIN = 0.03
-_TARTAN, _SETT = "tartan", 2.5
+_TARTAN, SETT = "tartan", 2.5
 """The picture of plaids, and after how many of their bands it repeats."""
 _HEX = re.compile("#[0-9a-f]{6}")
 
@@ -134,7 +134,7 @@ class ClothPrint:
         if self.kind == "plaid" and self.is_tartan:
             mixed = [_between(first, second), _between(second, red_green_blue[2])]
             threads = (first, mixed[0], second, mixed[1], red_green_blue[2])
-            return Motif(threads, number_of(_TARTAN), _SETT * self.size("spacing"), angle, grain)
+            return Motif(threads, number_of(_TARTAN), SETT * self.size("spacing"), angle, grain)
         if self.kind == "plaid":
             return Plaid(first, second, red_green_blue[-1], self.size("spacing"), angle=angle, grain=grain)
         if self.kind == "dots":

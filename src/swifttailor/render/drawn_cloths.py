@@ -80,8 +80,8 @@ def palm_trees() -> Array:
 def marl() -> Array:
     """Short streaks of lighter and darker yarn along the wales."""
     chance = np.random.default_rng(62)
-    streaks = even_noise(chance, 40, stretch=0.3).T + 0.5 * even_noise(chance, 18)
-    return RAMP * np.clip(1.0 + 0.75 * streaks, 0.0, 2.0)
+    streaks = even_noise(chance, 28, stretch=0.3).T + 0.5 * even_noise(chance, 14)
+    return RAMP * np.clip(1.0 + 0.6 * streaks, 0.0, 2.0)
 
 
 def linen() -> Array:

@@ -27,12 +27,9 @@ def of_one_arm(found: Iterable[Wish]) -> tuple[Wish, ...]:
     if side is None:
         return found
     only = Gain(_LEFT if side == "left" else _RIGHT)
-    other = "right_sleeve" if side == "left" else "left_sleeve"
     kept: dict[Change, Wish] = {}
     for wish in found:
         claim = wish.change.claim if isinstance(wish.change, Gain) else None
-        if claim is not None and claim.name == other and claim.value in _LENGTHS:
-            continue  # that arm has none
         if claim is None or claim.name != "sleeves" or claim.value not in _LENGTHS:
             kept.setdefault(wish.change, wish)
             continue

@@ -14,6 +14,7 @@ from swifttailor.wording.lexicon.conflicts import SCALES
 _NONE, _BARE = Claim("sleeves", "none"), Claim("shoulders", "strapless")
 _FRILL, _FRILLED_BAND = Claim("cuffs", "flounce"), Claim("cuffs", "band and flounce")
 _LENGTHS = frozenset(value for step in SCALES["sleeves"] for value in step)
+_OTHER_ARMS = {Claim("sleeves", "left only"): "right_sleeve", Claim("sleeves", "right only"): "left_sleeve"}
 _OF_SLEEVES = frozenset({"sleeves", "left_sleeve", "sleeve_cm"})
 
 
@@ -52,3 +53,13 @@ def with_named_sleeves(found: Iterable[Wish], never: Iterable[Claim], words: Wor
     length = "long" if has_sheer_sleeves(words) else "short"
     sure = SURENESS["usual"] if len(kept) == len(found) else SURENESS["certain"]
     return (*kept, Wish(Gain(Claim("sleeves", length)), sure))
+
+
+def of_the_only_arm(found: Iterable[Wish]) -> tuple[Wish, ...]:
+    """The same wishes without how long the sleeve of the other arm is, where there is but one sleeve."""
+    found = tuple(found)
+    claims = [wish.change.claim for wish in found if isinstance(wish.change, Gain)]
+    others = {name for only, name in _OTHER_ARMS.items() if only in claims}
+    if len(others) != 1:
+        return found
+    return tuple([w for w in found if not (isinstance(w.change, Gain) and w.change.claim.name in others)])

@@ -30,7 +30,7 @@ from swifttailor.wishes.corrections.one_arm import (
     without_guessed_length,
 )
 from swifttailor.wishes.corrections.sureness import likely_wishes, sure_wishes
-from swifttailor.wishes.corrections.told_sleeves import as_long_as_told, with_named_sleeves
+from swifttailor.wishes.corrections.told_sleeves import as_long_as_told, of_the_only_arm, with_named_sleeves
 from swifttailor.wishes.corrections.weighed_together import (
     of_both_faces,
     other_slits,
@@ -179,7 +179,7 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
     found = with_named_sleeves(as_long_as_told(found, words), never, words)
     if words.language == ENGLISH:
         found = _without_guesses(text, with_both_arms(text, found), words)
-    found = without_opposites(of_two_arms(of_one_arm(without_guessed_length(found, words))), words)
+    found = without_opposites(of_two_arms(of_the_only_arm(of_one_arm(without_guessed_length(found, words)))), words)
     found = fitting_the_name(found, words)
     changes = _changes(found)
     slits = sum(isinstance(c, Gain) and c.claim.name == "slit" for c in changes)
