@@ -137,7 +137,8 @@ def _lay_flounced(
     height = min(FLOUNCE_CM, plain.length - SHORTEST_CM + BAND_CM)
     at = plain.length - height
     lay(table, figure, replace(plain, length=at))
-    lay_sleeve_cuff(table, figure, at, FLOUNCE_EASE, height, flare=FLOUNCE_FLARE_CM)
+    flare = FLOUNCE_FLARE_CM * height / FLOUNCE_CM
+    lay_sleeve_cuff(table, figure, at, FLOUNCE_EASE, height, flare=flare)
 
 
 def _lay_gathered(
