@@ -63,8 +63,9 @@ BAND_CM, BAND_EASE = 3.0, 3.0
 """Height of the band of a short sleeve and its room around the arm, cm."""
 CUFF_CM, CUFF_EASE = 6.0, 4.0
 """The same of the cuff of a long one."""
-FLOUNCE_CM, FLOUNCE_EASE, FLOUNCE_FLARE_CM = 10.0, 30.0, 7.0
-"""Height of the frill of a sleeve, its room at most where it is sewn on, and its flare, cm."""
+FLOUNCE_CM, FLOUNCE_SHARE, FLOUNCE_EASE, FLOUNCE_FLARE_CM = 10.0, 0.45, 30.0, 7.0
+"""Height of the frill of a sleeve, cm, and at most which part of its length; its room at most where it is
+sewn on, and its flare, cm."""
 TRAILS_SHARE = 0.85
 """By which part of its length a trailing sleeve hangs down below the wrist."""
 LEAST_END_EASE = 4.0
@@ -134,7 +135,7 @@ def _lay_flounced(
     table: CuttingTable, figure: Figure, plain: Sleeve, lay: Callable[[CuttingTable, Figure, Sleeve], None]
 ) -> None:
     """Lays a plain sleeve that ends in a frill cut nearly from a circle."""
-    height = min(FLOUNCE_CM, plain.length - SHORTEST_CM + BAND_CM)
+    height = min(FLOUNCE_CM, FLOUNCE_SHARE * plain.length)
     at = plain.length - height
     lay(table, figure, replace(plain, length=at))
     flare = FLOUNCE_FLARE_CM * height / FLOUNCE_CM

@@ -179,7 +179,8 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
     found = with_named_sleeves(as_long_as_told(found, words), never, words)
     if words.language == ENGLISH:
         found = _without_guesses(text, with_both_arms(text, found), words)
-    found = without_opposites(of_two_arms(of_the_only_arm(of_one_arm(without_guessed_length(found, words)))), words)
+    found = of_the_only_arm(of_one_arm(without_guessed_length(found, words)))
+    found = without_opposites(of_two_arms(found), words)
     found = fitting_the_name(found, words)
     changes = _changes(found)
     slits = sum(isinstance(c, Gain) and c.claim.name == "slit" for c in changes)
