@@ -22,6 +22,23 @@ from swifttailor.wishes.drafts.sleeved_drafts import sleeves_as_asked
         ("t-shirt", {"sleeve_shape": "slim"}, {"arm_ease": 3.5, "sleeve_end": 30.0}),
         ("skater-dress", {"sleeve_shape": "slim"}, {}),
         ("t-shirt", {"cuffs": "deep"}, {}),
+        ("t-shirt", {"sleeves": "long"}, {"sleeve_length": 60.0, "sleeve_end": 24.0}),
+        ("t-shirt", {"sleeves": "three-quarter"}, {"sleeve_length": 41.0, "sleeve_end": 28.0}),
+        ("t-shirt", {"sleeves": "short"}, {}),
+        (
+            "skater-dress",
+            {"sleeves": "left only", "left_sleeve": "long"},
+            {"sleeves": True, "sleeve_length": 60.0},
+        ),
+        ("t-shirt", {"cuffs": "flounce"}, {"sleeve_shape": "flounced", "sleeve_length": 60.0}),
+        (
+            "skater-dress",
+            {"cuffs": "flounce", "sleeves": "short"},
+            {"sleeve_shape": "flounced", "sleeve_length": 22.0},
+        ),
+        ("sweatshirt", {"sleeve_shape": "balloon"}, {"sleeve_shape": "balloon"}),
+        ("shift-dress", {"sleeves": "long", "sleeve_shape": "wide"}, {"sleeve_shape": "wide"}),
+        ("shift-dress", {"sleeves": "elbow", "sleeve_shape": "wide"}, {"sleeve_shape": "plain"}),
     ],
 )
 def test_sleeves_are_as_long_slim_and_cuffed_as_asked(draft, claims, options):

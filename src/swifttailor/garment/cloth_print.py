@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 PRINT = "print"
 """What a report calls it."""
 KINDS = ("stripes", "checks", "plaid", "dots", "motif")
-NAPS = ("curls", "cables", "sequins", "pile", "foil", "channels", "fur")
+NAPS = ("curls", "cables", "sequins", "pile", "foil", "channels", "fur", "marl", "linen")
 """Motifs that are the face of cloth of one colour, their second: hollows darker, what stands out lighter."""
 CUSHIONS = "channels"
 """That of puffed cloth, which has the lines of quilting."""
@@ -61,6 +61,7 @@ MOTIFS = (
     *("daisies", "sunflowers"),
     *("galaxy", "camouflage", "zigzag", "herringbone", "rainbow", "ombre", "blocks", "aztec", "wax_print"),
     *("two_blocks", "four_blocks"),
+    *("houndstooth", "granny_squares", "palm_trees"),
 )
 TEXTURE_SIDE = 2048
 """Pixels: a millimetre or two of cloth each."""
@@ -75,6 +76,8 @@ _USUAL: Mapping[str, float] = {
 }
 _FEWEST, _MOST = 2, 6
 _GRAIN = 0.03
+_TARTAN, SETT = "tartan", 2.5
+"""The picture of plaids, and after how many of their bands it repeats."""
 _HEX = re.compile("#[0-9a-f]{6}")
 
 
@@ -97,6 +100,11 @@ class ClothPrint:
     def ground(self) -> str:
         """The colour that the cloth itself has, ``#rrggbb``."""
         return self.colors[int(self.kind == "motif" and self.motif in NAPS)]
+
+    @property
+    def is_tartan(self) -> bool:
+        """Whether it is a plaid of three colours: those of two are thin lines alone, panes and nets."""
+        return self.kind == "plaid" and len(set(self.colors[:3])) > _FEWEST
 
     def size(self, name: str) -> float:
         """A size, or what is usual."""
@@ -123,6 +131,10 @@ class ClothPrint:
             return Stripes(first, second, self.size("width"), self.size("gap"), angle, grain)
         if self.kind == "checks":
             return Checks(first, second, self.size("width"), angle, grain)
+        if self.kind == "plaid" and self.is_tartan:
+            mixed = [_between(first, second), _between(second, red_green_blue[2])]
+            threads = (first, mixed[0], second, mixed[1], red_green_blue[2])
+            return Motif(threads, number_of(_TARTAN), SETT * self.size("spacing"), angle, grain)
         if self.kind == "plaid":
             return Plaid(first, second, red_green_blue[-1], self.size("spacing"), angle=angle, grain=grain)
         if self.kind == "dots":
@@ -135,6 +147,12 @@ class ClothPrint:
         """As plain JSON values."""
         motif = {"motif": self.motif} if self.kind == "motif" else {}
         return {"kind": self.kind, "colors": list(self.colors), **motif, "sizes": dict(self.sizes)}
+
+
+def _between(one: LinearColor, other: LinearColor) -> LinearColor:
+    """What threads of two colours look like where they cross."""
+    red, green, blue = ((a + b) / 2.0 for a, b in zip(one, other, strict=True))
+    return red, green, blue
 
 
 def stated_print(report: Mapping[str, Any]) -> ClothPrint | None:

@@ -31,9 +31,9 @@ OPACITIES: Mapping[str, float] = {
     "sheer": 0.45,
     "mesh": 0.5,
     "net": 0.38,
-    "tulle": 0.48,
-    "chiffon": 0.62,
-    "organza": 0.52,
+    "tulle": 0.44,
+    "chiffon": 0.52,
+    "organza": 0.46,
     "lace": 0.38,
     "opaque": 1.0,
 }

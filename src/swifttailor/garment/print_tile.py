@@ -8,7 +8,7 @@ from math import cos, radians, sin, sqrt
 import numpy as np
 
 from swifttailor.arrays import Array, Pixels
-from swifttailor.garment.cloth_print import ClothPrint
+from swifttailor.garment.cloth_print import SETT, ClothPrint
 
 PIXELS_PER_CM = 24
 """Of tiles that are small enough for it: between two colours lies a millimetre."""
@@ -68,6 +68,7 @@ def _repeats(printed: ClothPrint) -> tuple[float, float]:
     if printed.kind == "dots":  # every second row is shifted by half
         return printed.size("spacing"), sqrt(3) * printed.size("spacing")
     one = printed.size("spacing" if printed.kind == "plaid" else "repeat")
+    one *= SETT if printed.is_tartan else 1.0
     return one, one
 
 

@@ -8,6 +8,7 @@ import numpy as np
 
 from swifttailor.arrays import Array
 from swifttailor.render import (
+    drawn_cloths,
     drawn_dyes,
     drawn_naps,
     drawn_ornaments,
@@ -26,6 +27,7 @@ _FIELDS = {
     **drawn_naps.DRAWN,
     **drawn_sprigs.DRAWN,
     **drawn_weaves.DRAWN,
+    **drawn_cloths.DRAWN,
 }
 NAMED = (*FIGURES, *_FIELDS)
 """All names; their numbers as motifs follow `motifs.BANDS`."""

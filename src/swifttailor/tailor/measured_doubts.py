@@ -14,7 +14,7 @@ from swifttailor.describing.facts import GarmentFacts
 from swifttailor.recutting.to_the_figure import figures_missed
 from swifttailor.recutting.unasked import KEPT_CM, spoken_parts, unasked
 from swifttailor.wishes.text.mentions import find_mentions
-from swifttailor.wording.lexicon import WordMark
+from swifttailor.wording.lexicon import WordMark, exclude
 
 if TYPE_CHECKING:
     from swifttailor.tailor.answer import Answer
@@ -50,7 +50,7 @@ def said_and_not_so(answer: Answer) -> tuple[tuple[str, Change], ...]:
     opposed = [mark for pair in words.contradictions for mark in (pair.first, pair.second)]
     gains = [wish.change for wish in wanted.wishes if isinstance(wish.change, Gain)]
     so = {gain.claim.name for gain in gains if gain.holds(facts, facts)}
-    numbers = [mention.end for mention in find_mentions(wanted.heard.text)]
+    numbers = [mention.end for mention in find_mentions(wanted.heard.as_read)]
     slits = () if facts.skirt is None else facts.skirt.slits
     over_leg = [Claim("slit", slit.over) for slit in slits if slit.over]  # where it is seen (`slits_seen`)
     said: dict[tuple[int, str], list[Gain]] = {}
@@ -61,6 +61,7 @@ def said_and_not_so(answer: Answer) -> tuple[tuple[str, Change], ...]:
             or each.claim.name in _APART
             or each.claim in over_leg
             or each.mark in opposed
+            or (each.certainty != "certain" and any(exclude(each.claim, gain.claim) for gain in gains))
             or not _is_of_the_cut(each.mark)
         ):
             continue

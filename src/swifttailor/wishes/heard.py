@@ -113,13 +113,13 @@ class Heard:
     @cached_property
     def printed_parts(self) -> PrintedParts:
         """The parts that its print is on, where it is not on the whole."""
-        return ON_ALL if self.words is None else printed_parts(self._as_read, self.words)
+        return ON_ALL if self.words is None else printed_parts(self.as_read, self.words)
 
     @cached_property
     def print(self) -> ClothPrint | None:
         """The print that it asks for."""
         parts = self.printed_parts
-        return None if self.words is None else heard_print(self._as_read, self.words, parts, self.kind)
+        return None if self.words is None else heard_print(self.as_read, self.words, parts, self.kind)
 
     @property
     def ribs(self) -> tuple[float, float] | None:
@@ -169,7 +169,7 @@ class Heard:
         return self if looks == NO_LOOKS else replace(self, looks=looks)
 
     @cached_property
-    def _as_read(self) -> str:
+    def as_read(self) -> str:
         """The text that `words` are the words of: where a name is a guess, it stands before its text."""
         guessed = f"{self.guess}, {self.text}"
         marks = () if self.words is None else self.words.marks
@@ -181,7 +181,7 @@ class Heard:
         """Colours that it names side by side; none where its first colour is not among them."""
         if self.words is None:
             return ()
-        found = joined_colors(self._as_read, self.words)
+        found = joined_colors(self.as_read, self.words)
         return found if found and f"#{found[0].rgb}" == self.color else ()
 
     @property
@@ -190,8 +190,14 @@ class Heard:
         if self.words is None or self.color is None:
             return ()
         inks = () if self.print is None else self.print.colors
-        shown = [self.color, *inks, *[look.color for look in self.looks.looks if look.color is not None]]
-        return left_over(self._as_read, self.words, shown)
+        blue = [f"#{_BLUE}"] if self.color == f"#{_COLOR_OF_CLOTH.get(self.cloth or '')}" else []
+        shown = [
+            self.color,
+            *blue,
+            *inks,
+            *[look.color for look in self.looks.looks if look.color is not None],
+        ]
+        return left_over(self.as_read, self.words, shown)
 
     def made_as(self, draft: NamedDraft) -> Heard:
         """The same, where the garment begins from a draft: what that shows is no longer lacking.

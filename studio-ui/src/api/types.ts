@@ -310,6 +310,8 @@ export type PrintMotif =
   | "foil"
   | "channels"
   | "fur"
+  | "marl"
+  | "linen"
   | "sprigs"
   | "penguins"
   | "pandas"
@@ -332,7 +334,10 @@ export type PrintMotif =
   | "aztec"
   | "wax_print"
   | "two_blocks"
-  | "four_blocks";
+  | "four_blocks"
+  | "houndstooth"
+  | "granny_squares"
+  | "palm_trees";
 /**
  * cm: width and gap of stripes, width of checks, spacing of plaid and dots, radius of dots, repeat of motifs; angle,
  * degrees: 0 runs around the body, 90 down it.

@@ -145,3 +145,36 @@ def test_long_balloon_sleeves_widen_to_their_cuffs():
         sleeve = measure_facts(pattern).left_sleeve
         assert (sleeve.end_width > sleeve.upper_width + 8.0) == wider
     assert Claim("sleeve_shape", "balloon").holds(measure_facts(long))
+
+
+def test_sleeves_of_sweatshirts_balloon_above_their_cuffs():
+    for garment in ("sweatshirt", "hoodie"):
+        plain, full = (draft(garment, sleeve_shape=shape) for shape in ("plain", "balloon"))
+        widths = [measure_facts(pattern).left_sleeve.end_width for pattern in (plain, full)]
+        assert widths[1] > widths[0] + 30.0
+        assert {panel.name for panel in plain.panels} == {panel.name for panel in full.panels}
+
+
+def test_short_bell_sleeves_flutter_from_the_shoulder_on():
+    def lean(length: float) -> float:
+        """By how much a half of a sleeve is wider above the middle of the arm than its cap is, cm."""
+        pattern = draft("t-shirt", sleeve_shape="bell", sleeve_length=length)
+        sleeve = next(panel for panel in pattern.panels if panel.name == "left_sleeve_f")
+        return float(np.ptp(np.asarray(sleeve.vertices)[:, 1]))
+
+    assert lean(22.0) > lean(30.0) + 8.0
+
+
+def test_long_wide_sleeves_widen_less_than_bells():
+    plain, wide, bell = (
+        measure_facts(draft("t-shirt", sleeve_shape=shape, sleeve_length=60.0)).left_sleeve.end_width
+        for shape in ("plain", "wide", "bell")
+    )
+    assert plain + 15.0 < wide < bell - 8.0
+
+
+def test_flounced_sleeves_end_in_frills():
+    for length in (12.0, 22.0, 60.0):
+        facts = measure_facts(draft("t-shirt", sleeve_shape="flounced", sleeve_length=length))
+        assert Claim("cuffs", "flounce").holds(facts), length
+        assert facts.left_sleeve.length > length - 0.5

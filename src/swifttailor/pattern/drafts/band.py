@@ -115,7 +115,9 @@ def _sag(edge: Side) -> float:
     return edge.split([0.5])[0].end[1] - (edge.start[1] + edge.end[1]) / 2
 
 
-def lay_sleeve_cuff(table: CuttingTable, figure: Figure, at: float, ease: float, height: float) -> None:
+def lay_sleeve_cuff(
+    table: CuttingTable, figure: Figure, at: float, ease: float, height: float, *, flare: float = 0.0
+) -> None:
     """Lays the left cuff below the left sleeve and sews it on; the sleeve may be gathered into it.
 
     Edges of ``sl_left_cuff_f`` and ``sl_left_cuff_b``: under, end, top, join.
@@ -127,14 +129,21 @@ def lay_sleeve_cuff(table: CuttingTable, figure: Figure, at: float, ease: float,
         ease: Room on top of the arm's girth there, cm; the cuff is no wider than the sleeve's end, and split
             like it.
         height: Along the arm, cm.
+        flare: How much wider each half is at its end, above and below the arm each, cm.
     """
     start = table.pieces["left_sleeve_f"].find("hem")[0].end[0] + 4.0
     total = table.length("left_sleeve_f.hem", "left_sleeve_b.hem")
     width = min(figure.arm_girth(at) + ease, total)
     for side in "fb":
         half = width * table.length(f"left_sleeve_{side}.hem") / total
-        outline = Outline(start, -half).line("under", start + height, -half)
-        outline.line("end", start + height, 0.0).line("top", start, 0.0).line("join", start, -half)
+        # Cut as a piece of a ring, whose free edge is as far from the seam everywhere.
+        end, bent = start + height - 0.35 * flare, start + height + 0.3 * flare
+        outline = Outline(start, -half).line("under", end, -half - flare)
+        if flare:
+            outline.cubic("end", (bent, -half - 0.3 * flare), (bent, 0.3 * flare), (end, flare))
+        else:
+            outline.line("end", end, 0.0)
+        outline.line("top", start, 0.0).line("join", start, -half)
         name = f"sl_left_cuff_{side}"
         sleeve = table.pieces[f"left_sleeve_{side}"].placement
         table.lay(

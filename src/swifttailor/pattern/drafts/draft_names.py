@@ -88,7 +88,8 @@ class NamedDraft:
     def is_to_the_eye(self) -> tuple[tuple[str, str | float], ...]:
         """Claims, by name and value, that are true of it to the eye, though not as they are measured."""
         stands = self.stands or self.name == "turtleneck"
-        slits = _OF_SLITS if any(name == SIDE_SLITS for name, _ in self.options) else ()
+        cut = dict(self.options).get(SIDE_SLITS)
+        slits = (*_OF_SLITS, ("slit_cm", float(cut))) if cut else _OF_NO_SLITS.get(self.name, ())
         flare = dict(self.options).get("flare", 0.0)
         straight = _OF_FLARE if float(flare) >= A_LINE_CM else _OF_NO_FLARE
         falls = straight if self.name == "shift-dress" else ()
@@ -215,6 +216,10 @@ _OF_ARCS = (("hem_shape", "scalloped"),)
 _OF_CLINGING = (("skirt", "pencil"), ("skirt", "straight"), ("hips", "close"), ("bodice", "darted"))
 """Cloth that stretches over the body follows it without darts."""
 _OF_SLITS = (("slit", "left"), ("slit", "right"))
+_OF_NO_SLITS: Mapping[str, tuple[tuple[str, str], ...]] = dict.fromkeys(
+    ("shift-dress", "swing-dress", "t-shirt", "tank-top", "turtleneck"), (("slit", "none"),)
+)
+"""What has no skirt to be measured, and no slits unless an option says so."""
 _OF_BIBS = (("fit", "loose"), ("fit", "easy"), ("fit", "oversized"))
 """Nothing goes around the chest of what has a bib."""
 HIGH_CM = 26.0
@@ -298,6 +303,7 @@ _HALTER = (
 DRAFTS_ARE: Mapping[str, tuple[tuple[str, str], ...]] = {
     "blazer": (("bodice", "darted"),),
     "waistcoat": (("bodice", "darted"),),
+    "cardigan": (("waistband", "hem"),),
     "cape": (("fit", "oversized"), ("fit", "loose")),
     "pleated-skirt": (("skirt", "flared"), ("skirt", "a-line")),
     "halter-top": _HALTER,

@@ -14,16 +14,20 @@ from swifttailor.pattern.drafts.options import Option
 from swifttailor.pattern.drafts.raglan import lay_raglan_sleeve
 from swifttailor.pattern.drafts.sleeve import Sleeve, lay_sleeve
 
-SleeveShape = Literal["plain", "puffed", "balloon", "bell", "trailing"]
+SleeveShape = Literal["plain", "puffed", "balloon", "bell", "wide", "flounced", "trailing"]
 SleeveShapeOption = Annotated[
     SleeveShape,
     Option(
         "Puffed: gathered at the shoulder. Balloon: full, gathered into a cuff. Bell: widens to the end. "
+        "Wide: widens a little. Flounced: plain, with a frill at its end. "
         "Trailing: hangs in a point below the wrist."
     ),
 ]
 TrailingOption = Annotated[
     Literal["plain", "trailing"], Option("Trailing: hangs in a point below the wrist.")
+]
+BalloonOption = Annotated[
+    Literal["plain", "balloon"], Option("Balloon: full, gathered into the cuff where there is one.")
 ]
 ArmholeCut = Literal["set-in", "raglan", "cut-in-one"]
 ArmholeCutOption = Annotated[
@@ -53,16 +57,25 @@ BALLOON_EASE, BALLOON_CAP = 26.0, 0.12
 BALLOON_FLARE = 14.0
 """How much wider long balloon sleeves are above the cuff than at the underarm, as bishop
 sleeves are, cm around."""
+BANDED_FLARE = 22.0
+"""The same of those of sweatshirts and the like, whose cloth is heavy."""
 BAND_CM, BAND_EASE = 3.0, 3.0
 """Height of the band of a short sleeve and its room around the arm, cm."""
 CUFF_CM, CUFF_EASE = 6.0, 4.0
 """The same of the cuff of a long one."""
+FLOUNCE_CM, FLOUNCE_SHARE, FLOUNCE_EASE, FLOUNCE_FLARE_CM = 10.0, 0.45, 30.0, 7.0
+"""Height of the frill of a sleeve, cm, and at most which part of its length; its room at most where it is
+sewn on, and its flare, cm."""
 TRAILS_SHARE = 0.85
 """By which part of its length a trailing sleeve hangs down below the wrist."""
 LEAST_END_EASE = 4.0
 """Room around the arm at the ends of sleeves that are cut in one, cm at least."""
 BELL_SHARE, LARGEST_BELL_CM = 0.5, 26.0
 """By which part of its length a bell sleeve is wider at its end than at the underarm, and the most."""
+WIDE_FLARE = 16.0
+"""The same of wide sleeves, cm around: as wide all the way as at the underarm they turn around the wrists."""
+FLUTTERING_CM, FLUTTER_CM, FLUTTER_FAN_CM = 26.0, 10.0, 12.0
+"""Length up to which they flutter; how much wider they are then below and, of each half, above the arm."""
 
 
 def lay_shaped_sleeve(
@@ -93,6 +106,12 @@ def lay_shaped_sleeve(
         lay(table, figure, plain)
     elif shape == "trailing" and lay is lay_sleeve:
         lay_sleeve(table, figure, replace(plain, trails=TRAILS_SHARE * plain.length))
+    elif shape == "bell" and lay is lay_sleeve and plain.length <= FLUTTERING_CM:
+        lay(table, figure, replace(plain, flare=FLUTTER_CM, fan=FLUTTER_FAN_CM))
+    elif shape == "flounced":
+        _lay_flounced(table, figure, plain, lay)
+    elif shape == "wide":
+        lay(table, figure, replace(plain, flare=WIDE_FLARE))
     elif shape in ("bell", "trailing"):
         lay(table, figure, replace(plain, flare=min(BELL_SHARE * plain.length, LARGEST_BELL_CM)))
     elif shape == "puffed" and plain.length >= LONG_CM:
@@ -100,6 +119,27 @@ def lay_shaped_sleeve(
         lay(table, figure, full)
     else:
         _lay_gathered(table, figure, shape, plain, lay)
+
+
+def ballooning(plain: Sleeve) -> Sleeve:
+    """A sleeve as full as balloon sleeves are above their cuffs.
+
+    Args:
+        plain: What a plain one would be; without its cuff.
+    """
+    ease = max(plain.arm_ease, BALLOON_EASE)
+    return replace(plain, arm_ease=ease, cap_ease=BALLOON_CAP, flare=BANDED_FLARE)
+
+
+def _lay_flounced(
+    table: CuttingTable, figure: Figure, plain: Sleeve, lay: Callable[[CuttingTable, Figure, Sleeve], None]
+) -> None:
+    """Lays a plain sleeve that ends in a frill cut nearly from a circle."""
+    height = min(FLOUNCE_CM, FLOUNCE_SHARE * plain.length)
+    at = plain.length - height
+    lay(table, figure, replace(plain, length=at))
+    flare = FLOUNCE_FLARE_CM * height / FLOUNCE_CM
+    lay_sleeve_cuff(table, figure, at, FLOUNCE_EASE, height, flare=flare)
 
 
 def _lay_gathered(

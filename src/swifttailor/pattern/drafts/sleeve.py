@@ -46,6 +46,8 @@ class Sleeve:
     """By how much the end is wider than the underarm, cm around, whatever `end_width` says; 0 for nothing."""
     close_below_elbow: bool = False
     """Whether it narrows above the elbow and is as close as at its end from there on, as a leg of mutton."""
+    fan: float = 0.0
+    """How far the upper seam leans away from the arm at its end, so that cloth falls in ripples there, cm."""
     trails: float = 0.0
     """How far its end hangs down below the arm, cm; 0 for nothing."""
 
@@ -70,7 +72,9 @@ def lay_sleeve(table: CuttingTable, figure: Figure, shape: Sleeve) -> None:
     narrowing = max((cap.front + cap.back - shape.end_width) / 2, 0.0)
     narrowing = -shape.flare / 2 if shape.flare else min(narrowing, min(cap.front, cap.back) - 3.0)
     for side in "fb":
-        outline = sleeve_outline(cap, length, narrowing, front=side == "f", early=shape.close_below_elbow)
+        outline = sleeve_outline(
+            cap, length, narrowing, front=side == "f", early=shape.close_below_elbow, fan=shape.fan
+        )
         if shape.trails:
             outline = _trailing_outline(cap, length, shape.trails, figure.arm_angle, front=side == "f")
         place_on_arm(table, figure, f"left_sleeve_{side}", outline)
@@ -79,7 +83,9 @@ def lay_sleeve(table: CuttingTable, figure: Figure, shape: Sleeve) -> None:
     table.seam("left_sleeve_f.under", "left_sleeve_b.under")
 
 
-def sleeve_outline(cap: Cap, length: float, narrowing: float, *, front: bool, early: bool = False) -> Outline:
+def sleeve_outline(
+    cap: Cap, length: float, narrowing: float, *, front: bool, early: bool = False, fan: float = 0.0
+) -> Outline:
     """Draws one half of a sleeve, x along the arm from the shoulder tip and y across it.
 
     Edges: under, hem, top, cap.
@@ -90,6 +96,7 @@ def sleeve_outline(cap: Cap, length: float, narrowing: float, *, front: bool, ea
         narrowing: From the underarm to the end, cm.
         front: Which half.
         early: Whether most of it narrows in the upper half of the underarm seam.
+        fan: How far the upper seam leans away from the arm at its end, cm.
     """
     half = cap.front if front else cap.back
     outline = Outline(cap.height, -half)
@@ -99,7 +106,13 @@ def sleeve_outline(cap: Cap, length: float, narrowing: float, *, front: bool, ea
         outline.cubic("under", first, (cap.height + 0.45 * low, -half + narrowing), end)
     else:
         outline.line("under", *end)
-    outline.line("hem", length, 0.0).line("top", 0.0, 0.0)
+    if fan:
+        # All of the hem is as far from the shoulder as its middle is.
+        low = -half + narrowing
+        outline.cubic("hem", (length + 0.3 * fan, low / 2), (length + 0.3 * fan, 0.4 * fan), (length, fan))
+    else:
+        outline.line("hem", length, 0.0)
+    outline.line("top", 0.0, 0.0)
     _cap_curve(outline, cap.height, half, front)
     return outline.closed()
 

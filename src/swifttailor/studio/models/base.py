@@ -140,6 +140,8 @@ PrintMotif = Literal[
     "foil",
     "channels",
     "fur",
+    "marl",
+    "linen",
     "sprigs",
     "penguins",
     "pandas",
@@ -163,6 +165,9 @@ PrintMotif = Literal[
     "wax_print",
     "two_blocks",
     "four_blocks",
+    "houndstooth",
+    "granny_squares",
+    "palm_trees",
 ]
 PrintSize = Literal["width", "gap", "spacing", "radius", "repeat", "angle"]
 PrintColors = Annotated[list[Color], Field(min_length=2, max_length=6)]

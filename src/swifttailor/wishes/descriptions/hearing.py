@@ -30,6 +30,7 @@ from swifttailor.wishes.corrections.one_arm import (
     without_guessed_length,
 )
 from swifttailor.wishes.corrections.sureness import likely_wishes, sure_wishes
+from swifttailor.wishes.corrections.told_sleeves import as_long_as_told, of_the_only_arm, with_named_sleeves
 from swifttailor.wishes.corrections.weighed_together import (
     of_both_faces,
     other_slits,
@@ -53,7 +54,7 @@ from swifttailor.wishes.descriptions.worn_for import worn_for
 from swifttailor.wishes.drafts.refused_looks import refused_frills
 from swifttailor.wishes.heard import HEARD_NOTHING, Heard
 from swifttailor.wishes.instructions.spoken_of import is_of_places
-from swifttailor.wishes.looks.words_of_looks import has_sheer_sleeves, spans_of_looks
+from swifttailor.wishes.looks.words_of_looks import spans_of_looks
 from swifttailor.wishes.outfits.first_piece import first_piece
 from swifttailor.wishes.outfits.side_remarks import without_side_remarks
 from swifttailor.wishes.reader import SURE, Wish, WishReader
@@ -178,15 +179,11 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
     found = weighed_all(with_one_band(found, words), {i.claim for i in words.implications if not i.said})
     found = without_flared_legs(found, [e for m in words.marks if not m.denied for e in m.entries])
     found = (*without_deep_cuffs(text, words, without_flare(found)), *of_both_faces(text, found))
-    if any(claim == _BARE_ARMS for claim in never) and not any(
-        isinstance(w.change, Gain) and w.change.claim.name in ("sleeves", "left_sleeve", "sleeve_cm")
-        for w in found
-    ):
-        length = "long" if has_sheer_sleeves(words) else "short"
-        found = (*found, Wish(Gain(Claim("sleeves", length)), SURENESS["usual"]))
+    found = with_named_sleeves(as_long_as_told(found, words), never, words)
     if words.language == ENGLISH:
         found = _without_guesses(text, with_both_arms(text, found), words)
-    found = without_opposites(of_two_arms(of_one_arm(without_guessed_length(found, words))), words)
+    found = of_the_only_arm(of_one_arm(without_guessed_length(found, words)))
+    found = without_opposites(of_two_arms(found), words)
     found = fitting_the_name(found, words)
     changes = _changes(found)
     slits = sum(isinstance(c, Gain) and c.claim.name == "slit" for c in changes)
@@ -242,7 +239,8 @@ def _changes(wishes: Iterable[Wish]) -> list[Change]:
 
 def _with_parts(words: WordReading) -> tuple[Claim, ...]:
     """What is refused by naming a part: a dress with sleeves is not sleeveless."""
-    told = {i.claim.name for i in words.implications if i.said}
+    told = {i.claim.name for i in words.implications if i.said and i.claim != _BARE_SHOULDERS}
+    told |= {i.claim.name for i in words.implications if i.said and i.certainty == "certain"}
     named = any(
         mark.entries and mark.entries[0].part == "sleeves" and not mark.denied and mark.role != "theirs"
         for mark in words.marks
@@ -309,6 +307,8 @@ _WHOLE_KINDS = frozenset({"dress", "jumpsuit", "playsuit"})
 """Kinds with skirts or legs: who speaks of these at length still asks for the whole."""
 _LOWER_KINDS = frozenset({"skirt", "trousers", "shorts"})
 _BARE_ARMS = Claim("sleeves", "none")
+_BARE_SHOULDERS = Claim("shoulders", "strapless")
+"""Where a word makes this no more than usual, as a heart does, sleeves that are named cover them."""
 _CLOSE_HIPS = Claim("hips", "close")
 _ROOMY = frozenset(
     {

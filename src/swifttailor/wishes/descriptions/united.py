@@ -11,6 +11,7 @@ from swifttailor.wishes.text.mentions import find_mentions
 from swifttailor.wishes.text.unread import says_nothing_else
 from swifttailor.wording.claim_kinds import fits_kind
 from swifttailor.wording.lexicon import SURENESS, WordReading, exclude
+from swifttailor.wording.lexicon.conflicts import SCALES
 
 SURE_OF_EVERY_WORD = 0.96
 """Enough for the network to come before the lexicon, where it leaves no word out."""
@@ -75,11 +76,16 @@ def explained(text: str, words: WordReading, network: Iterable[Wish]) -> tuple[W
     if any(claim in words.never for claim in told):
         return ()
     names = {claim.name for claim in told}
+    said = [i.claim for i in words.implications if i.said and i.certainty == "certain"]
+    # Slits at both sides, not one alone.
+    beside = [claim for claim in said if claim.name in names and claim.name not in SCALES]
     for side in ("left_", "right_"):  # who tells one side has told of both
         names |= {plural for one, plural in _OF_BOTH_SIDES.items() if side + one in names}
     for wish in united(text, words, network):
         claim = wish.change.claim if isinstance(wish.change, Gain) else None
-        if claim is None or claim.name in names or any(exclude(claim, other) for other in told):
+        if claim in told or claim is None or (claim.name in names and claim not in beside):
+            continue
+        if any(exclude(claim, other) for other in told):
             continue
         sure.append(wish)
     return tuple(sorted(sure, key=lambda wish: -wish.certainty))

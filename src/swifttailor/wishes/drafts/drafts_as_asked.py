@@ -28,6 +28,12 @@ from swifttailor.wishes.drafts.legged_drafts import legs_as_asked
 from swifttailor.wishes.drafts.skirted_coats import skirted_as_asked
 from swifttailor.wishes.drafts.sleeved_drafts import sleeves_as_asked
 from swifttailor.wishes.drafts.slit_skirts import slit_as_asked
+from swifttailor.wishes.drafts.slits_as_told import (
+    SLIT_SKIRT_CM,
+    close_for_a_slit,
+    is_slit,
+    with_side_slits,
+)
 from swifttailor.wishes.drafts.swimsuits_as_asked import swimsuit_as_asked
 
 _BARE = Claim("shoulders", "strapless")
@@ -54,6 +60,9 @@ _LOOSE_DRESS_CM: Mapping[str, tuple[float, float]] = {
 the wide armholes of what has more catch the arms."""
 _WAISTED = frozenset({"skirt", "waist_seam", "hips", "bodice", "shoulders", "straps", "slit", "waistband"})
 _STRAIGHT, _TENT = Claim("bodice", "undarted"), Claim("bodice", "flared")
+_A_LINE, _A_LINE_CM = Claim("skirt", "a-line"), 30.0
+_HANGING_SKIRTS = (_A_LINE, Claim("skirt", "straight"), Claim("slit", "none"), Claim("shoulders", "both"))
+"""What a dress without a waist seam may have, and by how much its hem is wider where that is to flare."""
 _STRAIGHT_CM, _TENT_CM = 10.0, 28.0
 """Room up to which a dress falls straight, and by how much the hem of a tent top is wider, all around."""
 _SKATER_CM = 50.0
@@ -85,21 +94,6 @@ _PIECES: Mapping[str, tuple[str, int, int]] = {
     "gored-skirt": ("gores", 4, 12),
 }
 """Option and claim of a number of pieces, and how few and many can be drafted."""
-_SLITS = (Claim("slit", "left"), Claim("slit", "right"))
-_SLIT_AT_THE_SIDES = (
-    *("t-shirt", "tank-top", "turtleneck", "shift-dress", "hooded-coat"),
-    *("shirt", "polo-shirt", "kaftan"),
-)
-_SLIT_CM, _HIGH_SLIT_CM = 14.0, 30.0
-_LONG_SLEEVED_KNIT = (
-    *(("length", 26.0), ("chest_ease", 16.0), ("sleeve_length", 60.0)),
-    *(("sleeve_end", 24.0), ("arm_ease", 9.0)),
-)
-_HIGH_SLIT = Claim("slit_size", "high")
-_SLIT_SKIRT_CM, _SLIT_FLARE = 72.0, 4.0
-_SLIT_ENDS: Mapping[str, float] = {"maxi": 103.0, "ankle": 96.0, "floor": 104.0}
-"""Lengths of skirts with slits, cm, how they flare, degrees, and how long those are that are to end so. They
-are drafted long, as a slit over the joint of what was made longer opens in steps."""
 _BIBBED, _WIDE_STRAP_CM = ("dungarees", "pinafore", "apron"), 6.0
 
 
@@ -133,14 +127,7 @@ def draft_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft | N
     draft = _as_another(_darted(cropped_as_asked(skirted_as_asked(draft, claims), claims), claims), claims)
     draft = _with_v_neck(_with_hood(_worn_over(draft, claims), claims), claims)
     draft = _with_close_neck(draft, claims)
-    slit_by_name = SIDE_SLITS in dict(draft.options)
-    slit_twice = not slit_by_name and all(slit in claims for slit in _SLITS)
-    short = any(Claim("sleeves", length) in claims for length in _SHORT)
-    if draft.name == _SWEATSHIRT and (slit_twice or short):  # no band goes around an open hem or a wide arm
-        draft = NamedDraft("t-shirt", _LONG_SLEEVED_KNIT)
-    if draft.name in _SLIT_AT_THE_SIDES and slit_twice:
-        slit = _HIGH_SLIT_CM if _HIGH_SLIT in claims or draft.name == "kaftan" else _SLIT_CM
-        draft = replace(draft, options=(*draft.options, (SIDE_SLITS, slit)))
+    draft = with_side_slits(draft, claims)
     if draft.name in _BIBBED and Claim("straps", "wide") in claims:
         draft = replace(draft, options=(*draft.options, (STRAP_WIDTH, _WIDE_STRAP_CM)))
     legged = legs_as_asked(draft, claims)
@@ -153,17 +140,14 @@ def draft_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft | N
         draft = replace(draft, options=tuple({**dict(draft.options), "sleeves": False}.items()))
     draft = hooded_as_asked(draft, claims)
     draft = _without_sleeves(_standing(_with_collar(draft, claims), claims), claims)
-    if draft.name == "circle-skirt" and any(claim.name == "slit" for claim in claims):
-        kept = {name: value for name, value in draft.options if name in ("length", "band_height")}
-        draft = NamedDraft("fitted-skirt", tuple({**kept, "flare": _SLIT_FLARE}.items()))
+    if draft.name == "circle-skirt" and is_slit(claims):
+        draft = close_for_a_slit(draft, claims)
     if draft.name == "circle-skirt" and _GATHERED_SKIRT in claims:
         draft = NamedDraft("gathered-skirt", tuple([o for o in draft.options if o[0] == "length"]))
     if draft.name == "shirt-dress" and _GATHERED_SKIRT in claims:
         draft = replace(draft, options=tuple({**dict(draft.options), "gathers": _GATHERS}.items()))
-    if draft.name == "skater-dress" and any(claim.name == "slit" for claim in claims):
-        ends = [str(claim.value) for claim in claims if claim.name == "skirt_hem"]
-        length = next((_SLIT_ENDS[end] for end in ends if end in _SLIT_ENDS), _SLIT_SKIRT_CM)
-        draft = NamedDraft("fitted-dress", (("skirt_length", length),))  # where a slit is seen
+    if draft.name == "skater-dress" and is_slit(claims):
+        draft = close_for_a_slit(draft, claims)
     draft = held_as_asked(_hanging_loose(close_as_asked(draft, claims), claims), claims)
     draft = on_straps_that_hold(bared_as_asked(draft, claims))
     draft = _standing(sleeves_as_asked(draft, claims), claims)  # what was strapless has a neck now
@@ -325,15 +309,18 @@ def _with_close_neck(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     high = Claim("neck_depth", "high") in claims or Claim("neckline", "crew") in claims
     rounded = any(claim in claims for claim in (Claim("neckline", "round"), Claim("neckline", "crew")))
     worn = any(claim.name in ("collar", "hood") and claim.value != "none" for claim in claims)
+    rounded = rounded or not (_BARE_BACKS.isdisjoint(claims) or any(c.name == "neckline" for c in claims))
     if draft.name not in _V_NECKED or not (high and rounded) or worn or draft.stands:
         return draft
     options = dict(draft.options)
     close = _CLOSE_NECK if draft.name != _SWEATSHIRT else _CLOSE_SWEATSHIRT
-    if Claim("back_depth", "open") not in claims and Claim("back_depth", "low") not in claims:
+    if _BARE_BACKS.isdisjoint(claims):
         options |= {} if draft.name in (_SWEATSHIRT, "empire-dress") else {"back_neck_depth": 2.5}
     return replace(draft, options=tuple({**options, **close}.items()))
 
 
+_BARE_BACKS = frozenset({Claim("back_depth", "open"), Claim("back_depth", "low")})
+"""A collar that stands goes all around; with these a high neck is a close round one."""
 _CLOSE_NECK = {"neck_widening": 0.5, "neck_depth": 8.5}
 _CLOSE_SWEATSHIRT = {"neck_widening": 1.0, "neck_depth": 8.5}
 
@@ -344,9 +331,9 @@ def _without_sleeves(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     if draft.name == "t-shirt" and Claim("sleeves", "none") in claims:
         kept = {name: options[name] for name in _OF_TANKS if name in options}
         return NamedDraft("tank-top", tuple({**_SLEEVELESS, **kept}.items()))
-    if draft.name == "halter-dress" and any(claim.name == "slit" for claim in claims):
+    if draft.name == "halter-dress" and is_slit(claims):
         return replace(
-            draft, options=tuple({**options, "skirt_fraction": 0.3, "length": _SLIT_SKIRT_CM}.items())
+            draft, options=tuple({**options, "skirt_fraction": 0.3, "length": SLIT_SKIRT_CM}.items())
         )
     return draft
 
@@ -358,7 +345,8 @@ def _hanging_loose(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
         return replace(draft, options=tuple({**options, "flare": _TENT_CM}.items()))
     straight = _STRAIGHT in claims or _TENT in claims
     fits = [str(claim.value) for claim in claims if claim.name == "fit" and claim.value in _LOOSE_DRESS_CM]
-    waisted = any(claim.name in _WAISTED and claim not in (_STRAIGHT, _TENT) for claim in claims)
+    hangs = _HANGING_SKIRTS if straight else ()
+    waisted = any(claim.name in _WAISTED and claim not in (_STRAIGHT, _TENT, *hangs) for claim in claims)
     if draft.name != "skater-dress" or waisted or not (straight or {"loose", "oversized"}.intersection(fits)):
         return draft
     sleeves = any(claim.name == "sleeves" and claim.value != "none" for claim in claims)
@@ -366,7 +354,8 @@ def _hanging_loose(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     if _TENT in claims:
         return NamedDraft("swing-dress", tuple({**kept, "sleeves": sleeves}.items()))
     ease = _LOOSE_DRESS_CM[fits[0] if fits else "easy"][sleeves]
-    wide = {"chest_ease": ease, "flare": 24.0 if ease > _STRAIGHT_CM else 8.0}
+    flare = 24.0 if ease > _STRAIGHT_CM else _A_LINE_CM if _A_LINE in claims else 8.0
+    wide = {"chest_ease": ease, "flare": flare}
     return NamedDraft("shift-dress", tuple({**kept, **wide, "sleeves": sleeves}.items()))
 
 
@@ -383,7 +372,8 @@ def _stands(claims: Sequence[Claim]) -> bool:
     """Whether a collar is to stand; a high neck of which no more is said is such a one."""
     if _STAND in claims or _ROLLED in claims:
         return True
-    return Claim("neck_depth", "high") in claims and not any(c.name in _OF_NECKLINES for c in claims)
+    high = Claim("neck_depth", "high") in claims and not any(c.name in _OF_NECKLINES for c in claims)
+    return high and _BARE_BACKS.isdisjoint(claims)
 
 
 def _with_stand(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:

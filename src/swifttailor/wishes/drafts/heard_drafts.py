@@ -54,7 +54,9 @@ _NOT_TOLD = ("kind", "shoulders")
 """What goes with other claims: what has no sleeves covers both shoulders or none."""
 _AT_SHOULDERS = ("shoulders", "straps", "sleeves", "neckline", "collar", "hood")
 _BARE, _STAND, _TURTLENECK = Claim("shoulders", "strapless"), Claim("collar", "stand"), "turtleneck"
+_HIGH = Claim("neck_depth", "high")
 _BARE_BACK = Claim("back_depth", "open")
+_BARE_BACKS = frozenset({_BARE_BACK, Claim("back_depth", "low")})
 _COLLAR, _OF_COLLARS = "collar", ("collar", "collar_width", "collar_height", "neck_depth")
 _OF_DETAILS: Mapping[str, tuple[str, ...]] = {
     "coat": ("flare", "lapels", "lapel_width", "collar_width", "collar"),
@@ -80,6 +82,9 @@ _KNITTED, _CORDUROY = ("jersey", "rib-knit"), "twill"
 """Fabrics that stretch, and what corduroy is made as, which has ribs and does not."""
 _COATS, _JACKETS = ("coat", "hooded-coat", "cape"), ("blazer", "turtleneck")
 """Drafts of what is worn over other clothes and open in front, long and short."""
+_PULLED_ON = "t-shirt"
+_OPEN_JACKET = NamedDraft.parse("cardigan(length=22;chest_ease=14;neck_depth=16;opening=0;closed_to=8)")
+"""Of a jacket whose sleeves are raglan or cut in one, which those of blazers are not."""
 _STRAPLESS = ("bandeau", "bustier", "strapless-dress", "strapless-jumpsuit")
 _BUSTIER, _STRAPS = "bustier", ("straps", True)
 _SHAWL = ("lapels", "shawl")
@@ -207,6 +212,8 @@ def _of_coats(named: list[NamedDraft], entries: Sequence[Entry]) -> list[NamedDr
     details = {draft.name for e in entries if e.category != "garments" for draft in e.drafts}
     if garments and garments <= {*_COATS}:
         return [draft for draft in named if draft.name in _COATS]
+    if garments == {_JACKETS[0]} and _PULLED_ON in details:
+        return [_OPEN_JACKET]
     if garments == {_JACKETS[0]} and _JACKETS[0] in details:
         return [draft for draft in named if draft.name in _JACKETS]
     return named
@@ -222,10 +229,15 @@ def _told_beside(heard: Heard, entry: Entry) -> int:
 
 
 def _standing_necks(heard: Heard) -> list[Claim]:
-    """A collar that stands, where a word about the neck begins from such a draft: "a high neck"."""
+    """A collar that stands, where a word about the neck begins from such a draft: "a high neck".
+
+    None does above a bare back: a close round neck is high there.
+    """
+    bare = not _BARE_BACKS.isdisjoint(_told_claims(heard))
     outdone = _outdone(heard)
     stands = [e for e in heard.meant if e.category == "styles" and e.drafts and e not in outdone]
-    return [_STAND] if any(draft.name == _TURTLENECK for e in stands for draft in e.drafts) else []
+    high = any(draft.name == _TURTLENECK for e in stands for draft in e.drafts)
+    return [] if not high else [_HIGH if bare else _STAND]
 
 
 def _likely_bare(heard: Heard) -> list[Claim]:

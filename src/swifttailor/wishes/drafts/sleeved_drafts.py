@@ -40,41 +40,46 @@ _SHAPES: Mapping[str, str] = {
     "gathered end": "balloon",
     "wide": "plain",
 }
+_FLOUNCED = frozenset({Claim("cuffs", "flounce"), Claim("cuffs", "band and flounce")})
 """Of several that are asked for, the first decides."""
 _LENGTHS: Mapping[str, float] = {
     "cap": 16.0,
     "short": 22.0,
-    "elbow": 32.0,
+    "elbow": 34.0,
     "three-quarter": 44.0,
     "long": 60.0,
     "extra-long": 66.0,
 }
 _EXTRA_LONG, _THREE_QUARTERS = Claim("sleeves", "extra-long"), Claim("sleeves", "three-quarter")
+_OF_ONE_ARM = ("left_sleeve", "right_sleeve")
+_ONE_ARM = frozenset({Claim("sleeves", "left only"), Claim("sleeves", "right only")})
+"""Where there is only one, how long that is tells how long both are drafted."""
 _LONGEST_BARE_CM = 64.0
 """Of sleeves that begin below the shoulder."""
 _SLIM, _DEEP = Claim("sleeve_shape", "slim"), Claim("cuffs", "deep")
 _SLIM_ARM = 3.5
 """Room around the arm of sleeves that are to be close, cm."""
-_SLIM_ENDS: Mapping[float, float] = {16.0: 31.0, 22.0: 30.0, 32.0: 27.0, 44.0: 24.0, 60.0: 20.0, 66.0: 20.0}
+_SLIM_ENDS: Mapping[float, float] = {16.0: 31.0, 22.0: 30.0, 34.0: 27.0, 44.0: 24.0, 60.0: 20.0, 66.0: 20.0}
 """Width around at their end, by their length, cm."""
-_OWN_LENGTHS: Mapping[str, float] = {"t-shirt": 22.0}
+_PULLED_ON, _PULLED_ON_CM = "t-shirt", 41.0
+"""What is pulled on has three-quarter sleeves so long that nobody calls them long."""
+_OWN_LENGTHS: Mapping[str, float] = {_PULLED_ON: 22.0}
 """From the shoulder tip, cm, of drafts with sleeves that are not long unless told."""
 _DEEP_CM = 14.0
 """Height of cuffs that are to be deep."""
-_USUAL = {"puffed": 22.0, "bell": 44.0, "balloon": 60.0, "plain": 44.0}
+_USUAL = {"puffed": 22.0, "bell": 44.0, "balloon": 60.0, "plain": 44.0, "flounced": 60.0}
 """From the shoulder tip, cm, where nothing is said of the length."""
 _SLIM_END = 21.0
 """Width around at the end of long puffed sleeves, cm."""
 _WIDE = {"arm_ease": 18.0, "sleeve_end": 46.0}
-"""Of sleeves that are to be wide."""
-_ENDS: Mapping[float, float] = {16.0: 33.0, 22.0: 33.0, 32.0: 31.0, 44.0: 28.0, 60.0: 24.0, 66.0: 24.0}
+_LONG_WIDE = {"arm_ease": 18.0, "sleeve_shape": "wide"}
+"""Of sleeves that are to be wide; long ones so wide all the way would turn around the wrists."""
+_ENDS: Mapping[float, float] = {16.0: 33.0, 22.0: 33.0, 34.0: 31.0, 44.0: 28.0, 60.0: 24.0, 66.0: 24.0}
 """Width around at the end of plain sleeves of those lengths, cm."""
 _SHIRT_END = 34.0
 """The same of the short sleeves of shirts, which have no cuffs."""
 _WIDE_END = 34.0
 """The same of sleeves that are cut in one with a coat."""
-_FULL_ARM, _FULL_END = 16.0, 46.0
-"""Room around the arm and width at the cuff of the full sleeves of shirts, cm."""
 
 
 def sleeves_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
@@ -86,6 +91,8 @@ def sleeves_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     """
     asked = {claim.value for claim in claims if claim.name == "sleeve_shape"}
     shape = next((made for named, made in _SHAPES.items() if named in asked), None)
+    if shape is None and not _FLOUNCED.isdisjoint(claims):
+        shape = "flounced"
     if Claim("sleeves", "none") in claims:
         return draft
     options = dict(draft.options)
@@ -96,9 +103,7 @@ def sleeves_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     if shape is None:
         return _slim(_with_plain_sleeves(draft, claims), claims)
     if draft.name in _CUFFED and shape == "balloon":
-        return replace(
-            draft, options=tuple({**options, "arm_ease": _FULL_ARM, "sleeve_end": _FULL_END}.items())
-        )
+        return replace(draft, options=tuple({**options, "sleeve_shape": shape}.items()))
     if draft.name in _TAILORED and shape != "plain":
         long = {"sleeve_length": _told_lengths(claims)[0]} if _told_lengths(claims) else {}
         return replace(draft, options=tuple({**options, "sleeve_shape": shape, **long}.items()))
@@ -106,9 +111,13 @@ def sleeves_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
         return draft
     told = _told_lengths(claims)
     options |= {"sleeve_shape": shape, "sleeve_length": told[0] if told else _USUAL[shape]}
-    options |= _WIDE if shape == "plain" else {}
+    if shape == "plain":
+        long = float(options["sleeve_length"]) >= _LENGTHS["long"] and draft.name not in _WITH_CUFFS
+        options |= _LONG_WIDE if long else _WIDE
     if shape == "puffed":
         options["sleeve_end"] = _SLIM_END
+    elif shape == "flounced":
+        options["sleeve_end"] = _ENDS.get(options["sleeve_length"], _ENDS[_LENGTHS["long"]])
     if draft.name in _SET_IN:
         options["sleeves"] = True
     return replace(draft, options=tuple(options.items()))
@@ -129,6 +138,10 @@ def _with_plain_sleeves(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraf
     if told and draft.name in _BELOW_SHOULDERS and told[0] >= _LENGTHS["three-quarter"]:
         options |= {"sleeve_length": min(told[0], _LONGEST_BARE_CM), "sleeve_end": _ENDS[told[0]]}
         return replace(draft, options=tuple(options.items()))
+    if told and draft.name == _PULLED_ON and told[0] > _OWN_LENGTHS[_PULLED_ON]:
+        length = _PULLED_ON_CM if _THREE_QUARTERS in claims else told[0]
+        ends = {"sleeve_length": length, "sleeve_end": _ENDS[told[0]]}
+        return replace(draft, options=tuple({**ends, **options}.items()))
     if not told or draft.name not in _SET_IN or options.get("sleeves"):
         return draft
     options |= {"sleeves": True, "sleeve_length": told[0], "sleeve_end": _ENDS[told[0]]}
@@ -166,5 +179,6 @@ def _cut_in_one(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
 
 
 def _told_lengths(claims: Sequence[Claim]) -> list[float]:
-    found = [_LENGTHS[str(c.value)] for c in claims if c.name == "sleeves" and c.value in _LENGTHS]
+    arms = ("sleeves", *(_OF_ONE_ARM if not _ONE_ARM.isdisjoint(claims) else ()))
+    found = [_LENGTHS[str(c.value)] for c in claims if c.name in arms and c.value in _LENGTHS]
     return [_LENGTHS["extra-long"]] if _EXTRA_LONG in claims else found

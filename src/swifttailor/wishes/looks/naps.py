@@ -26,6 +26,12 @@ _METAL = re.compile(
     r"|métallisé|hologram",
     re.IGNORECASE,
 )
+_MARL = re.compile(
+    r"(?<!\w)(?:marle?d?|melange|mélange|meliert\w*|heather(?:ed)? gr[ea]y|heathered|chiné|jaspeado"
+    r"|gemêleerd|mescla)(?!\w)",
+    re.IGNORECASE,
+)
+_LINEN = re.compile(r"(?<!\w)(?:linen|leinen\w*|lin|lino|linho|linnen|flax)(?!\w)", re.IGNORECASE)
 _EDGED = frozenset({"neck fur", "fur trim", "sleeve fur"})
 _REPEATS_CM: Mapping[str, float] = {
     "curls": 42,
@@ -34,6 +40,8 @@ _REPEATS_CM: Mapping[str, float] = {
     "pile": 34,
     "foil": 40,
     "fur": 30,
+    "marl": 34,
+    "linen": 40,
 }
 
 
@@ -59,7 +67,11 @@ def nap_of(words: WordReading) -> str | None:
         return "curls"
     if _VELVET.search(said) and not _NOT_VELVET.search(said):
         return "pile"
-    return "foil" if _METAL.search(said) else None
+    if _METAL.search(said):
+        return "foil"
+    if _MARL.search(said):
+        return "marl"
+    return "linen" if _LINEN.search(said) else None
 
 
 def puffed(color: str, apart: float) -> ClothPrint:

@@ -57,6 +57,7 @@ FIGURES = {
     "daisies": ("#7fa3c9", "#fdfcf6", "#efbf35", "#4f7f45"),
     "sunflowers": ("#f4f1e8", "#f2b62c", "#5a3720", "#4f7f45"),
     "palms": ("#f4f1e8", "#2f5f3c", "#6f9a5f", "#a9bf7c"),
+    "palm_trees": ("#e3f0f1", "#2f7a4a", "#8a5a36", "#e2c48a"),
 }
 """Pictures that keep their own colours on whatever ground, the first: foxes are red on blue."""
 _SKINS = {
@@ -98,10 +99,12 @@ _OTHERS = {
     "rainbow": ("#d8403a", "#ec8a34", "#f2cf45", "#4f9a55", "#3a6fb8", "#7a4a9a"),
     "ombre": ("#f3dfe4", "#dd97ae", "#b83f6d"),
     "aztec": ("#f1e8d8", "#a8443c", "#1f2a44", "#d8a24a"),
+    "houndstooth": ("#eeebe4", "#232428"),
+    "granny_squares": ("#f1e9d8", "#c8505a", "#3f7f8a", "#e6b53a", "#7a4a7a"),
     "wax_print": ("#f2a51d", "#b5281e", "#15603c", "#1b2a63"),
 }
 _INKS = FIGURES | _SKINS | _OTHERS
-_AS_NAMED = frozenset({"lozenges", "waves", "triangles", "zigzag", "rainbow"})
+_AS_NAMED = frozenset({"houndstooth", "lozenges", "waves", "triangles", "zigzag", "rainbow"})
 """Of as many colours as are named, and no others."""
 SHADED = {
     "curls": (0.9, 0.08),
@@ -111,6 +114,8 @@ SHADED = {
     "foil": (0.6, 0.75),
     "channels": (0.55, 0.0),
     "fur": (0.68, 0.22),
+    "marl": (0.8, 0.24),
+    "linen": (0.94, 0.12),
 }
 """The face of cloth, of one colour: how light its hollows are, and how much of white what stands out has;
 without any it is of the same hue, but brighter."""
@@ -161,7 +166,8 @@ def motif_inks(name: str, named: Sequence[str]) -> tuple[str, ...]:
         return _tied(named)
     if name in _SKINS:
         return _coat(name, named)
-    if name in ("serape", "rainbow") or (name == "patchwork" and len(named) == 1):
+    whole = ("patchwork", "granny_squares")
+    if name in ("serape", "rainbow") or (name in whole and len(named) == 1):
         return (*named, *[ink for ink in _INKS[name] if ink not in named])[:6]
     if name == "ombre":
         return _faded(named)
@@ -227,7 +233,7 @@ def tartan_inks(named: Sequence[str]) -> tuple[str, ...]:
     """
     first = named[0]
     light = brightness(first) >= _LIGHT_FROM
-    band = named[1] if len(named) > 1 else mixed(first, DARK, 0.55 if light else 0.45)
+    band = named[1] if len(named) > 1 else mixed(first, DARK, 0.55 if light else 0.2)
     line = named[2] if len(named) > 2 else (INK if light else mixed(LIGHT, first, 0.75))
     return first, band, line
 

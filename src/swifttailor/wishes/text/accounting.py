@@ -45,6 +45,8 @@ _SAME = {claim: group for group in (_HIGH_NECKS, _HIGH_WAISTS) for claim in grou
 """What one word may mean of one garment or another: a "high neck", a "high waist"."""
 _DIPPED = Claim("hem_shape", "high-low")
 """What is short in one place and long in another."""
+_CLOSE_HIPS = Claim("hips", "close")
+_CLOSE = frozenset({Claim("legs", "slim"), Claim("fit", "close"), _CLOSE_HIPS})
 _OF_THE_CUT = frozenset(["fits", "lengths", "styles", "parts"])
 _COMPARED = frozenset(
     "longer shorter wider narrower tighter looser bigger smaller deeper higher lower shallower fuller "
@@ -90,6 +92,8 @@ def unaccounted(
             continue
         if not mark.entries or mark.entries[0].category not in _OF_THE_CUT or mark.role == "theirs":
             continue
+        if mark.denied and any(entry.cannot for entry in mark.entries):  # "no train": it is left out
+            continue
         if mark in opposed or any(start <= mark.start < end for start, end in told):  # named as such
             continue
         if any(0 <= mark.start - end <= 2 for end in numbers):
@@ -134,6 +138,8 @@ def _is_answered(
         gone = [claim for one in mark.entries for claim in one.without]
         return any(claim in claims for claim in gone) or any(claim in refused for claim in said)
     if any(claim in claims or not _SAME.get(claim, frozenset()).isdisjoint(claims) for claim in said):
+        return True
+    if _CLOSE_HIPS in claims and _CLOSE.issuperset(said):  # "tight on the thighs", of flares
         return True
     about = [claim for claim in claims for one in said if claim.name == one.name]
     stepped = {claim.name for claim in said} & (subjects - {claim.name for claim in claims})

@@ -59,6 +59,7 @@ _BOUNDS = {
     "sleeve_cm": (4, 90),
     "inseam_cm": (2, 110),
     "hem_cm": (40, 1500),
+    "waistband_cm": (1, 25),
 }
 _USUAL = (1.0, 400.0)
 _LONGEST = {"skirt_length_cm": 130.0, "length_cm": 170.0}

@@ -15,6 +15,8 @@ from swifttailor.wording.lexicon import Lack, WordReading, read_words
 
 ENGLISH = "en"
 _DIGIT = re.compile(r"\d")
+_COUNTED = frozenset({"buttons", "pockets"})
+"""What has a number before it that is no size of its own: "three buttons"."""
 _LEVELS = "knees?|ankles?|calf|calves|thighs?|mid-thigh|shins?|floor|ground|feet|elbows?|wrists?|hips?|waist"
 _ABOUT = re.compile(r"(?<!\w)(ca|approx)\. ", re.IGNORECASE)
 _SHORTENED = (
@@ -144,7 +146,8 @@ def lacks_of(
         [
             lack
             for lack in words.lacks
-            if not any(m.mention.start < lack.mark.end and lack.mark.start < m.mention.end for m in measures)
+            if lack.what in _COUNTED
+            or not any(m.mention.start < lack.mark.end and lack.mark.start < m.mention.end for m in measures)
             if lack.what != "sizes"
             or not _DIGIT.search(lack.mark.word)
             or unread_numbers(lack.mark.word, changes)

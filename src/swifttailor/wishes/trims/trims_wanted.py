@@ -121,6 +121,8 @@ _INSTEAD = frozenset(
 _PULLED_ON = frozenset({"off-shoulder-top", "bandeau", "bustier", "halter-top", "tank-top", "camisole"})
 """Drafts that are buttoned in front only where a text or a name says so."""
 _BOAT = Claim("neckline", "boat")
+_OPEN_KNIT, _HEM_BAND = "cardigan", Gain(Claim("waistband", "hem"))
+"""The draft whose fronts no band joins at the hem: it is put on as a trim."""
 _LOWER = ("trousers", "shorts")
 _FOR_JACKETS, _TAILORED = frozenset({"cardigan", "turtleneck"}), "blazer"
 """Drafts that jackets without a collar and with one that stands are cut from, and the one with lapels."""
@@ -202,6 +204,8 @@ def trims_wanted(heard: Heard, draft: str = "", kind: str = "") -> tuple[TrimWis
         found.append(TrimWish("tulle_layers", False, (_NET,)))
     if draft in _RIBBED and not any(wish.what == _RIBS for wish in found) and _is_knitted(heard, draft):
         found.append(TrimWish(_RIBS, False, (("neck rib", "armhole ribs"), ("neck rib",), ("armhole ribs",))))
+    if draft == _OPEN_KNIT and any(wish.change == _HEM_BAND for wish in heard.sure):
+        found.append(TrimWish(_RIBS, True, (("hem rib",),)))
     if draft in _FOR_JACKETS and not any(wish.what == "buttons" for wish in found) and _is_a_jacket(heard):
         pocketed = () if any(wish.what == "pockets" for wish in found) else (("buttons", "welt pockets"),)
         found.append(TrimWish("buttons", False, (*pocketed, ("buttons",))))

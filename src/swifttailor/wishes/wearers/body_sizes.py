@@ -37,6 +37,11 @@ _GARMENT = (
 _BABY_SIZES = range(44, 98, 6)
 _PLUS = re.compile(r"(?<![\w-])(?P<letter>[1-6]x)(?![\w-])", re.IGNORECASE)
 """Beside "plus size"."""
+_PLUS_NUMBER = re.compile(
+    r"(?<![\w.,/-])(?P<number>1[468]|2[02468]|3[02])(?:\s?(?P<wide>W)(?!\w))?"
+    r"(?![\w/]|[.,]\d|\s?(?:cm|mm|in|inch\w*|[\"”″%])|\s(?:years?|tiers?|buttons?|gores?|panels?|pcs|pieces|pleats)(?!\w))"
+)
+"""The same as a number by itself: "plus size, 24"."""
 _RANGES_END = 50
 """Runs of sizes that end below are those of a shop ("size 8-16"), not a child's of two ("98/104")."""
 _SHORT_CM = {"women": 160.0}
@@ -103,6 +108,10 @@ def hear_size(said: SaidBody, figure: str | None, *, child: bool = False) -> Non
     weak = _weak().search(said.text)
     if weak is not None:
         _take_number(said, weak, int(weak["number"]), _of_language(weak[0]), figure, child)
+        return
+    plus = _PLUS_NUMBER.search(said.text) if said.build == "plus" else None
+    if plus is not None:
+        _take_number(said, plus, int(plus["number"]), "", figure, child)
         return
     match = _BY_LETTER.search(said.text) or (_PLUS.search(said.text) if said.build == "plus" else None)
     if match is not None:

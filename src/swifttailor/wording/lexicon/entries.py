@@ -86,6 +86,7 @@ MOTIFS = (
     *("penguins", "pandas", "sharks", "whales", "unicorns", "parrots", "tigers", "rockets", "cacti"),
     *("daisies", "sunflowers"),
     *("galaxy", "camouflage", "zigzag", "herringbone", "rainbow", "ombre", "aztec", "wax_print"),
+    *("houndstooth", "granny_squares", "palm_trees"),
 )
 _SIZES = ("width", "gap", "angle", "spacing", "radius", "repeat")
 _PRINT_MARKS = (*_SIZES, "motif", "inks")

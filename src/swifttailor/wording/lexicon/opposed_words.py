@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
@@ -14,6 +15,13 @@ if TYPE_CHECKING:
     from swifttailor.wording.lexicon.reading import Implication, WordMark
 
 _SHORTS, _TO_THE_FEET = Claim("kind", "shorts"), Claim("leg_hem", "full")
+_NO_SLEEVES, _PUFFED = Claim("sleeves", "none"), Claim("sleeve_shape", "puffed")
+_NAMED_BY: Mapping[str, re.Pattern[str]] = {
+    "sleeves": re.compile("sleeve", re.IGNORECASE),
+    "collar": re.compile("collar|lapel|neck", re.IGNORECASE),
+}
+"""What a name says itself of sleeves and collars: a "turtleneck" has no other one."""
+_FROM_THE_KNEE = re.compile("knee|trumpet|bell|boot", re.IGNORECASE)
 _TOLD_BY: Mapping[bool, tuple[Certainty, ...]] = {True: ("certain", "usual"), False: ("certain",)}
 """How sure what words about details, and what names of garments mean must be to contradict other words."""
 
@@ -38,6 +46,10 @@ def opposed_pairs(text: str, implied: Sequence[Implication]) -> list[tuple[WordM
                 continue
             if _only_usual(one, other) or _only_usual(other, one):
                 continue
+            if _puffed_above(one, other) or _puffed_above(other, one):
+                continue
+            if _flares_below(one, other) or _flares_below(other, one):
+                continue
             if _held_up(one, other) or _held_up(other, one):
                 continue
             first, second = sorted((one.mark, other.mark), key=lambda mark: mark.start)
@@ -47,10 +59,26 @@ def opposed_pairs(text: str, implied: Sequence[Implication]) -> list[tuple[WordM
 
 
 def _only_usual(named: Implication, said: Implication) -> bool:
-    """Whether the name of a garment has other sleeves than are said: coats may be had without any."""
-    if named.said or not said.said or named.claim.name != "sleeves":
+    """Whether what is named is had otherwise, too, and a word says so.
+
+    Coats without sleeves or with a collar that stands; one shoulder with a sleeve on it.
+    """
+    if said.said and named.claim == _NO_SLEEVES and named.certainty != "certain":
+        return said.claim.name == "sleeves"
+    if named.said or not said.said or named.claim.name not in _NAMED_BY:
         return False
-    return "sleeve" not in named.mark.word.lower()
+    return _NAMED_BY[named.claim.name].search(named.mark.word) is None
+
+
+def _puffed_above(head: Implication, arm: Implication) -> bool:
+    """Whether sleeves are puffed at the shoulders alone: "puffed shoulders, tight sleeves"."""
+    return head.claim == _PUFFED and "shoulder" in head.mark.word.lower() and arm.claim.value == "slim"
+
+
+def _flares_below(close: Implication, wide: Implication) -> bool:
+    """Whether legs are wide from the knee on alone: "tight on the thighs, out like a trumpet"."""
+    below = wide.claim.name == "legs" and wide.said and _FROM_THE_KNEE.search(wide.mark.word) is not None
+    return below and close.claim.name in ("fit", "hips", "legs")
 
 
 def _held_up(neckline: Implication, straps: Implication) -> bool:

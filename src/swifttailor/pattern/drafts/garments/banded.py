@@ -20,8 +20,10 @@ from swifttailor.pattern.drafts.options import Option
 from swifttailor.pattern.drafts.shaped_sleeve import (
     ArmholeCut,
     ArmholeCutOption,
+    BalloonOption,
     RaglanOption,
     WingOption,
+    ballooning,
     lay_shaped_sleeve,
 )
 from swifttailor.pattern.drafts.sleeve import Sleeve
@@ -53,6 +55,7 @@ class BandedOptions:
     sleeve_length: declared.SleeveLength = 58.0
     arm_ease: declared.ArmEase = 12.0
     sleeve_end: declared.SleeveEnd = 28.0
+    sleeve_shape: BalloonOption = "plain"
     cuffs: Annotated[bool, Option("Sew ribbed cuffs to the sleeves.")] = True
     cuff_height: declared.SleeveCuffHeight = 6.0
     cuff_ease: declared.CuffWidth = 5.0
@@ -208,6 +211,8 @@ def _lay_sleeve(
         0.01,
         options.shoulder_extension,
     )
+    if options.sleeve_shape == "balloon":
+        sleeve = ballooning(sleeve)
     lay_shaped_sleeve(table, figure, "plain", sleeve, armhole, wing)
     if options.cuffs:
         lay_cuff = lay_cuff_of_one if armhole == "cut-in-one" else lay_sleeve_cuff
