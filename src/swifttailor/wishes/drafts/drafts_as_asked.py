@@ -90,6 +90,7 @@ _SLIT_AT_THE_SIDES = ("t-shirt", "tank-top", "turtleneck", "shift-dress", "hoode
 _SLIT_CM, _HIGH_SLIT_CM = 14.0, 30.0
 _HIGH_SLIT = Claim("slit_size", "high")
 _SLIT_SKIRT_CM = 72.0
+_GOWN_CM, _NECK_OF_GOWNS = 88.0, ("neckline", "neck_depth", "neck_widening", "bust_ease", "waist_ease")
 _BIBBED, _WIDE_STRAP_CM = ("dungarees", "pinafore", "apron"), 6.0
 
 
@@ -146,7 +147,7 @@ def draft_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft | N
     if draft.name == "shirt-dress" and _GATHERED_SKIRT in claims:
         draft = replace(draft, options=tuple({**dict(draft.options), "gathers": _GATHERS}.items()))
     if draft.name == "skater-dress" and any(claim.name == "slit" for claim in claims):
-        draft = NamedDraft("fitted-dress", (("skirt_length", _SLIT_SKIRT_CM),))  # where a slit is seen
+        draft = _slit(draft)
     draft = held_as_asked(_hanging_loose(close_as_asked(draft, claims), claims), claims)
     draft = on_straps_that_hold(bared_as_asked(draft, claims))
     draft = _standing(sleeves_as_asked(draft, claims), claims)  # what was strapless has a neck now
@@ -163,6 +164,15 @@ def draft_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft | N
     own = _OF_STANDS if stands else _OF_HOODS if HOODED in draft.options else _OF_LAPELS
     others = [claim for claim in claims if claim.name in _AT_THE_NECK and claim not in own]
     return None if others else draft
+
+
+def _slit(draft: NamedDraft) -> NamedDraft:
+    """A dress in whose close skirt a slit is seen; a gown keeps its length and its neckline."""
+    options = dict(draft.options)
+    if float(options.get("skirt_length", 0.0)) < _GOWN_CM:
+        return NamedDraft("fitted-dress", (("skirt_length", _SLIT_SKIRT_CM),))
+    kept = {name: options[name] for name in (*_NECK_OF_GOWNS, *_OF_SLEEVES) if name in options}
+    return NamedDraft("fitted-dress", tuple({**kept, "skirt_length": 97.0, "skirt_flare": 6.0}.items()))
 
 
 def _darted(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
