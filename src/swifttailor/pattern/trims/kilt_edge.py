@@ -8,7 +8,7 @@ from swifttailor.pattern.trims.chalk import Chalk
 from swifttailor.pattern.trims.shapes import Trim
 
 _FRONTS = ("skirt_front", "skirt_pleat_0_front")
-_AT = 0.66
+_AT = 0.46
 """Where the edge lies on the wearer's right, as a part of half the width of the front."""
 _EDGE, _FRINGE = 0.22, 1.2
 """Half the width of the edge as it is drawn, and how wide the fringe beside it is, cm."""
@@ -26,7 +26,7 @@ def kilt_edge(chalk: Chalk, name: str) -> list[Trim]:
     if view is None or band is None or not spans or any(span is None for span in spans):
         return []
     xs = [-_AT * min(-span[0], span[1]) for span in spans if span is not None]
-    if max(xs) > -6.0 * s or view.high - view.low < 25.0 * s:
+    if max(xs) > -4.5 * s or view.high - view.low < 25.0 * s:
         return []
     high, low = chalk.top_at(view, xs[0]) - 0.5, view.low + 1.2
     column = view.column(xs[1])
