@@ -43,7 +43,7 @@ def sash(chalk: Chalk, name: str) -> list[Trim]:
     return [*[replace(each, width=_SASH * chalk.size) for each in around], *bow]
 
 
-_KNOT, _KNOT_ENDS, _KNOT_AT = 8.0, 28.0, 0.45
+_KNOT, _KNOT_ENDS, _KNOT_AT = 10.5, 28.0, 0.45
 """Width of a knot, length of the ends that hang from it, cm, and where it is, as a part of half the front."""
 
 

@@ -12,6 +12,8 @@ from swifttailor.pattern.trims.shapes import Patch, Trim
 
 _HALF = 0.17
 """Half the width of a line as it is drawn, cm."""
+_SHORTEST = 2.0
+"""Shorter lines are left out, cm."""
 _POINTS, _SLACK, _LEAST = 31, 0.02, 0.5
 """Points along an edge; how exactly a line lies on its panel, and what part of it has to."""
 
@@ -32,7 +34,10 @@ def beside_edge(chalk: Chalk, name: str, ref: EdgeRef, inside: float) -> list[Tr
     found = np.flatnonzero(held)
     if len(found) < _LEAST * _POINTS or np.ptp(found) != len(found) - 1:
         return []
-    return _patch(name, panel, near[found], far[found])
+    near, far = near[found], far[found]
+    length = float(np.linalg.norm(np.diff(near, axis=0), axis=1).sum())
+    is_plain = length >= _SHORTEST and shapely.Polygon([*near, *far[::-1]]).is_valid
+    return _patch(name, panel, near, far) if is_plain else []
 
 
 def inside_patch(chalk: Chalk, name: str, patch: Patch, inside: float) -> list[Trim]:
@@ -49,7 +54,8 @@ def inside_patch(chalk: Chalk, name: str, patch: Patch, inside: float) -> list[T
     first = int(top[0]) if (top[0] + 1) % len(corners) != top[1] else int(top[1])
     line = np.roll(corners, -first, axis=0)
     across = _across(line)
-    return _patch(name, panel, line - _HALF * across, line + _HALF * across)
+    first, second = line - _HALF * across, line + _HALF * across
+    return _patch(name, panel, first, second) if shapely.Polygon([*first, *second[::-1]]).is_valid else []
 
 
 def _across(line: Floats) -> Floats:
