@@ -18,6 +18,8 @@ _STITCHED = ("back pockets", "patch pockets", "chest pocket", "bib pocket")
 _BANDS = ("wb_front", "wb_back")
 _LOOP, _LOOPS, _OUT = 0.65, {"wb_front": (-0.5, 0.5), "wb_back": (-0.62, 0.0, 0.62)}, 0.25
 """Half the width of a loop, cm; where loops are, as parts of half the band's width; their room above."""
+_SMALLEST = 0.6
+"""Smaller loops are left out, cm²."""
 _YOKE, _BACK_YOKE, _SEAM = 18.4, 13.0, 0.17
 """How far below the neck's highest point the yokes of a denim jacket end, and half a seam as drawn, cm."""
 _FRONT_SEAMS = ((3.0, 4.0), (15.2, 9.5))
@@ -64,6 +66,8 @@ def belt_loops(chalk: Chalk, name: str) -> list[Trim]:
             if column is None or column[1] - column[0] < 2.0 * chalk.size:
                 return []
             low, high = column[0] + _OUT, column[1] - _OUT
+            if 2.0 * half * (high - low) < _SMALLEST:
+                return []
             found = chalk.ruled(
                 name, band, [(x - half, low), (x + half, low)], [(x - half, high), (x + half, high)]
             )
