@@ -114,6 +114,15 @@ TRIMMED = {
     "blouse pleated at the shoulders": ("t-shirt", ("shoulder pleats",)),
     "blouse gathered at the neck": ("t-shirt", ("neck gathers",)),
     "blouse gathered at the shoulders": ("t-shirt", ("shoulder gathers",)),
+    "stitched jeans": ("jeans", ("back pockets", "topstitching", "belt loops")),
+    "seamed denim jacket": ("denim-jacket", ("denim seams",)),
+    "buckled dungarees": ("dungarees", ("strap buckles",)),
+    "kilt": ("fitted-skirt", ("kilt edge", "hem border", "hip knot")),
+    "folded leggings": ("leggings", ("folded band",)),
+    "running top": ("sweatshirt", ("thumb holes",)),
+    "girl's dress": ("skater-dress", ("sash",)),
+    "dirndl with a blouse": ("skater-dress", ("apron", "lacing", "blouse front")),
+    "maternity top": ("t-shirt", ("bust gathers",)),
 }
 """Name of a draft and what is put on it: between them all trims that there are."""
 

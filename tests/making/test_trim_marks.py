@@ -52,6 +52,8 @@ NAMES = (
     "flapper dress", "heart tee", "star hoodie", "pleated blouse", "pressed blouse",
     "blouse pleated at the neck", "blouse pleated at the shoulders", "blouse gathered at the neck",
     "blouse gathered at the shoulders",
+    "stitched jeans", "seamed denim jacket", "buckled dungarees", "kilt", "folded leggings", "running top",
+    "girl's dress", "dirndl with a blouse", "maternity top",
 )  # fmt: skip
 
 

@@ -172,7 +172,7 @@ def test_double_breasted_buttons_meet_their_holes(trimmed_plans):
     left = plan.sewn.pattern.panel("left_ftorso")
     turn = plan.sewn.panel("left_ftorso").turn
     seen = {kind: [m.points @ np.linalg.inv(turn).T for m in piece.marks if m.kind == kind] for kind in KINDS}
-    assert len(seen["button"]) == len(seen["hole"]) == 2
+    assert len(seen["button"]) == len(seen["hole"]) == 4  # two above the belt, two below it
     (seam,) = (s for s in plan.sewn.pattern.stitches if {r.panel for r in s.sides} == FRONTS)
     edge = next(r.edge for r in seam.sides if r.panel == "left_ftorso")
     middle = float(left.chord(edge)[:, 0].mean())

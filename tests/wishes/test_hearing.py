@@ -191,7 +191,7 @@ def test_bare_shoulders_begin_from_drafts_and_lack_nothing_then(text, draft):
         ("a double breasted blazer", "blazer"),
         ("a dinner jacket", "blazer(neck_depth=33)"),
         ("a wrap skirt", "wrap-skirt"),
-        ("a pareo", "sarong"),
+        ("a pareo", "sarong(band_height=2.5)"),
     ],
 )
 def test_what_overlaps_or_is_folded_begins_from_drafts(text, draft):

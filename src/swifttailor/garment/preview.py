@@ -14,6 +14,7 @@ from swifttailor.garment.cloth_print import CUSHIONS
 from swifttailor.garment.cloth_surfaces import ON_DARK, cloth_surfaces
 from swifttailor.garment.layer_surfaces import layer_surfaces
 from swifttailor.garment.part_looks import color_of_panel
+from swifttailor.garment.puffed_cloth import with_puffs
 from swifttailor.garment.sheer_figure import SheerFigure
 from swifttailor.garment.trim_colors import is_dark, trim_color
 from swifttailor.pattern.trims.layers import LAYERS
@@ -124,6 +125,7 @@ def draw_preview(
     Returns:
         (height, width, 3) uint8 sRGB.
     """
+    garment = with_puffs(garment)
     layers = layer_surfaces(garment, color)
     cloth = [*cloth_surfaces(garment, color), *layers]
     others = trim_surfaces(garment, color)

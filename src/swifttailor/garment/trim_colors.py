@@ -56,6 +56,9 @@ _IN_ANOTHER: Mapping[str, tuple[str, str]] = {
     "toggles": ("#ecdcbc", "#5b3d26"),
     "chest heart": ("#d8404f", "#c22f40"),
     "chest star": ("#f0c94a", "#e2a92c"),
+    **dict.fromkeys(("topstitching", "denim seams"), ("#c98d47", "#b57a34")),
+    "hem border": ("#d3a94c", "#b98a2e"),
+    "blouse front": ("#f7f5ef", "#f7f5ef"),
 }
 """What is of another colour than the cloth, where none is told: on darker cloth, and on light cloth."""
 _SOFT = (
@@ -66,13 +69,16 @@ _SOFT = (
     "back pleat",
     "neck gathers",
     "shoulder gathers",
+    "bust gathers",
 )
 """Folds of the cloth itself, which are shades and no stitches."""
 _UNDYED, _PALE = "#f1efe9", 0.62
 """Threads inside of cloth, and how much of their colour shows where it is worn."""
-_RIBS = ("neck rib", "armhole ribs", "hem rib")
+_RIBS = ("neck rib", "armhole ribs", "hem rib", "folded band")
 _OF_THE_WHOLE = ("shoulder drape",)
 """What is of the garment's own cloth, whatever the panel below it is."""
+_SEEN_ON_DARK, _LINES_ON_DARK = 0.012, 0.04
+"""So much lighter are what is sewn on dark cloth and lines on it, linear light."""
 _LIGHT = 0.55
 """Linear light of cloth from which on it is light."""
 _BLACK_LEATHER, _GREYISH = "#33312f", 0.02
@@ -113,12 +119,16 @@ def trim_color(
         return to_linear(pale if float(cloth @ GREY) < _LIGHT else deep)
     if look == "thread" or trim == "frayed hem":
         return (1.0 - _PALE) * cloth + _PALE * to_linear(_UNDYED)
+    if look == "cloth" and trim not in LAYERS and float(cloth @ GREY) < DARK:
+        return cloth + _SEEN_ON_DARK  # or nobody would see a pocket on black
     if look == "cloth":
         return (0.84 if trim in _RIBS else 1.0 if trim in LAYERS else 0.94) * cloth
     if look == "dark" and trim in _SOFT:
         return (0.52 if float(cloth @ GREY) >= DARK else 1.8) * cloth
     if look == "dark":
-        return (0.30 if float(cloth @ GREY) >= DARK else 2.2) * cloth
+        return (
+            0.30 * cloth if float(cloth @ GREY) >= DARK else np.maximum(2.2 * cloth, cloth + _LINES_ON_DARK)
+        )
     if look == "button":
         return to_linear(_LIGHT_BUTTON if float(cloth @ GREY) < 0.25 else _DARK_BUTTON)
     if look == "leather" and is_dark(cloth) and float(np.ptp(cloth)) < _GREYISH:

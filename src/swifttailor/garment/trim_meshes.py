@@ -37,6 +37,8 @@ _KEEPS_TO = 0.002
 _WAISTED = 0.97
 """Cloth whose girth at its narrowest is less than this part of what is above and below has a waist."""
 _TAIL, _KNOT = 26.0, 2.2
+_TIED_BEHIND = ("sash", "apron")
+"""Bands whose bow is marked behind."""
 _NO_AREA = 1e-5
 """Triangles of less than half of this are left out, cm²."""
 _NEAR = 12
@@ -201,6 +203,8 @@ def _belt(garment: Garment, belt: Belt) -> list[TrimMesh]:
     front = vertices[grid[1, np.argmax(rows[1][:, 1])]]
     if belt.trim == "buckle belt":
         return [band, _buckle(belt, front)]
+    if belt.trim in _TIED_BEHIND:
+        return [band]
     return [band, *_knot(garment, belt, front)]
 
 

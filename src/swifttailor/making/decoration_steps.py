@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping
 
+from swifttailor.making.kind_steps import OF_KINDS
 from swifttailor.making.pieces import CuttingPlan
 from swifttailor.pattern.trims import Frill
 
@@ -20,12 +21,15 @@ _STRIPS = {
     "neck fur": "fur",
     "sleeve fur": "fur",
     "narrow bands": "ribbing of the other colour",
+    "hem border": "ribbon or strips of the other cloth",
 }
 """What is sewn along edges."""
 _TITLES: Mapping[str, str] = {
     "neck rib": "Ribbed band at the neck",
     "armhole ribs": "Ribbed bands at the armholes",
     "hem rib": "Ribbed band at the hem",
+    "hem border": "Border along the hem",
+    "folded band": "Band that is folded over",
     "neck frill": "Frill around the neck",
     "sleeve frills": "Frills at the sleeves",
     "sleeve turn-ups": "Turned-up ends of the sleeves",
@@ -327,8 +331,10 @@ _OTHERS: Mapping[str, tuple[str, str]] = {
     "apron": (
         "Apron",
         "Cut the marked piece once more, with allowances. Hem its sides and lower edge, and catch its upper "
-        "edge in the seam of the waist.",
+        "edge in the seam of the waist. Where a band is marked, sew it to that edge instead, and tie it "
+        "behind.",
     ),
+    **OF_KINDS,
 }
 
 
@@ -364,6 +370,11 @@ def _frill(frill: Frill) -> str:
             f"Cut strips of ribbed knit {2 * frill.depth + 2:.0f} cm wide, {_RIB_SHARE * length:.0f} cm "
             f"in all. Close them to rings, fold them lengthwise, stretch them to {length:.0f} cm, and sew "
             "them to the edge."
+        )
+    if frill.trim == "folded band":
+        return (
+            f"Cut the waistband {2 * frill.depth:.0f} cm higher, close it to a ring, and fold its upper "
+            f"{frill.depth:.0f} cm down to the outside when it is worn."
         )
     if frill.trim == "sleeve turn-ups":
         return (

@@ -151,6 +151,18 @@ SHOULD_HAVE = {
     "cups": ("bustier", "strapless-dress", "fitted-dress", "skater-dress"),
     "peplum": ("fitted-dress", "fitted-skirt", "strapless-dress"),
     "back cape": ("fitted-dress", "skater-dress", "shift-dress"),
+    "topstitching": (*TROUSERS, "dungarees", "denim-jacket", "circle-skirt", "shirt-dress"),
+    "belt loops": (*TROUSERS, "circle-skirt", "fitted-skirt"),
+    "denim seams": ("denim-jacket", "bomber-jacket"),
+    "strap buckles": ("dungarees", "pinafore"),
+    "kilt edge": ("fitted-skirt",),
+    "hem border": ("circle-skirt", "gathered-skirt", "gored-skirt", "skater-dress", "fitted-skirt"),
+    "folded band": ("leggings", "fitted-skirt", "trousers"),
+    "thumb holes": ("sweatshirt", "turtleneck", "hoodie"),
+    "sash": ("skater-dress", "fitted-dress", "strapless-dress", "empire-dress"),
+    "blouse front": ("skater-dress", "fitted-dress", "t-shirt"),
+    "bust gathers": ("t-shirt", "shift-dress"),
+    "hip knot": ("sarong", "wrap-skirt", "circle-skirt"),
 }
 CHILDREN = (60.0, 92.0, 110.0, 128.0, 152.0)
 SOME = tuple(info for info in list_drafts() if info.name not in ("gored-skirt", "pleated-skirt"))
@@ -200,6 +212,10 @@ def test_has_its_place_on_the_drafts_that_should_have_it(name, drafts):
         ("train", "skater-dress"), ("long train", "jeans"), ("overskirt", "jumpsuit"),
         ("tulle layers", "t-shirt"),
         ("cups", "fitted-skirt"), ("peplum", "t-shirt"), ("back cape", "strapless-dress"),
+        ("belt loops", "skater-dress"), ("denim seams", "jeans"),
+        ("strap buckles", "trousers"), ("kilt edge", "trousers"), ("hem border", "jeans"),
+        ("folded band", "skater-dress"), ("thumb holes", "t-shirt"), ("sash", "camisole"),
+        ("blouse front", "bustier"), ("bust gathers", "fitted-skirt"), ("hip knot", "t-shirt"),
     ],
 )  # fmt: skip
 def test_has_none_on_others(name, draft_name, drafts):

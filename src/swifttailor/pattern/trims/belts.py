@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from swifttailor.pattern.trims.chalk import Chalk
-from swifttailor.pattern.trims.shapes import Belt, Trim
+from swifttailor.pattern.trims.decorations import bow_at_waist
+from swifttailor.pattern.trims.shapes import Belt, Bow, Trim
 
 _SLIPS = 9.0
 """How far from the waist of the pattern that of the sewn garment may be, cm."""
@@ -25,6 +28,36 @@ def belt(chalk: Chalk, name: str) -> list[Trim]:
         return []
     width = 3.5 * chalk.size if not has_torso else 4.5 * chalk.size
     return [Belt(name, chalk.waist, width, _SLIPS * chalk.size if has_torso else 0.0)]
+
+
+_SASH = 5.5
+"""Width of a sash, cm."""
+
+
+def sash(chalk: Chalk, name: str) -> list[Trim]:
+    """A ribbon around the waist, tied in a bow behind; nothing where there is no back to tie it on."""
+    around = [each for each in belt(chalk, name) if isinstance(each, Belt)]
+    bow = bow_at_waist(chalk, name, ("left_btorso", "wb_back"), above=1.0, width=18.0, tail=26.0)
+    if not around or not bow:
+        return []
+    return [*[replace(each, width=_SASH * chalk.size) for each in around], *bow]
+
+
+_KNOT, _KNOT_ENDS, _KNOT_AT = 10.5, 28.0, 0.45
+"""Width of a knot, length of the ends that hang from it, cm, and where it is, as a part of half the front."""
+
+
+def hip_knot(chalk: Chalk, name: str) -> list[Trim]:
+    """On the wearer's left, at the waistband of a skirt: cloth that is wound around is tied there."""
+    view = chalk.views.get("wb_front")
+    if view is None or any("torso" in panel.name for panel in chalk.pattern.panels):
+        return []
+    x = _KNOT_AT * float(view.outline[:, 0].max())
+    column = view.column(x)
+    if column is None or not view.holds([(x, (column[0] + column[1]) / 2)]):
+        return []
+    u, v = view.local([(x, (column[0] + column[1]) / 2)])[0].tolist()
+    return [Bow(name, "wb_front", (u, v), _KNOT * chalk.size, _KNOT_ENDS * chalk.size)]
 
 
 def drawstring(chalk: Chalk, name: str) -> list[Trim]:

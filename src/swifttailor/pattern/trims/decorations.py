@@ -1,4 +1,4 @@
-"""What is put on for its looks: frills and fringe along edges, bows, lacing, a cord at the neck, an apron."""
+"""What is put on for its looks: frills and fringe along edges, bows, lacing, a cord at the neck."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from swifttailor.pattern.pattern import EdgeRef
+from swifttailor.pattern.trims.blouse_front import BLOUSE, BLOUSE_DEPTH
 from swifttailor.pattern.trims.chalk import Chalk
 from swifttailor.pattern.trims.free_edges import armhole_edges, hem_edges, leg_ends, neck_edges, sleeve_ends
 from swifttailor.pattern.trims.front_view import front_edge
@@ -24,6 +25,8 @@ _TURNED_BACK = 4.0
 _EDGINGS = {"edging": 1.3, "piping": 0.9, "bands": 5.0, "narrow bands": 2.2, "lace trim": 3.5}
 _NECK_LACE, _RIB, _HEM_RIB = 4.0, 2.0, 3.0
 """How wide edgings, lace around necks and ribbed bands are, cm."""
+_BORDER = 7.5
+"""How wide the border of another colour along a hem is, cm."""
 _BOW, _BOW_TAIL = 15.0, 17.0
 _BELOW_SHOULDER, _SHOULDER_BOW, _SHOULDER_TAIL = 3.0, 11.0, 10.5
 """Bows on shoulders: how far below their highest point, how wide, and how long their ends are, cm."""
@@ -33,15 +36,6 @@ _LACED_APART, _LACES_RISE, _LACE = 3.2, 3.6, 0.22
 """Distance of the eyelets from the middle, of one pair from the next, and half the width of the lace, cm."""
 _LACED_LEAST, _LACED_MOST = 10.0, 28.0
 _CORD = 15.0
-_APRON_BESIDE, _APRON_ABOVE_HEM, _APRON_LEAST = 0.5, 0.14, 20.0
-"""An apron's half width as a part of the skirt's, how far above the hem it ends as a part of its length,
-and the shortest skirt that has room for one, cm."""
-_APRON_WIDEST, _APRON_CORNER = 22.0, 6.0
-"""Half the width of the widest, and the radius of its lower corners, cm."""
-_APRON_WIDER = 1.7
-"""How much wider its lower edge may be than its waist."""
-_APRON_SHARES, _APRON_SLANT = (1.0, 0.8, 0.65, 0.5, 0.4, 0.3), 0.25
-"""Widths that are tried, as parts of the widest; how far its sides may begin below its middle, likewise."""
 
 
 def neck_rib(chalk: Chalk, name: str) -> list[Trim]:
@@ -60,6 +54,11 @@ def armhole_ribs(chalk: Chalk, name: str) -> list[Trim]:
 def hem_rib(chalk: Chalk, name: str) -> list[Trim]:
     """A flat band along the hem, as the one below the bust of a sports bra."""
     return _along(chalk, name, hem_edges(chalk.pattern), _HEM_RIB, "flat")
+
+
+def hem_border(chalk: Chalk, name: str) -> list[Trim]:
+    """A wide flat band along the hem, as of festive skirts."""
+    return _along(chalk, name, hem_edges(chalk.pattern), _BORDER, "flat")
 
 
 def neck_frill(chalk: Chalk, name: str) -> list[Trim]:
@@ -220,6 +219,8 @@ def lacing(chalk: Chalk, name: str) -> list[Trim]:
     right, left, low, high = seam
     if right.panel not in chalk.views or left.panel not in chalk.views:
         return []
+    if BLOUSE in chalk.pattern.trims:  # the bodice begins below it
+        high -= BLOUSE_DEPTH * chalk.size
     low = max(low, high - _LACED_MOST * chalk.size)
     count = max(round((high - low - 3.0) / (_LACES_RISE * chalk.size)), 2)
     heights = np.linspace(high - 1.5, low + 1.5, count + 1)
@@ -233,43 +234,6 @@ def lacing(chalk: Chalk, name: str) -> list[Trim]:
                 ends = [(across, float(y)), (x + sign * 0.3, float(middle))]
                 pieces += chalk.line(name, ref.panel, ends, width=_LACE)
     return pieces
-
-
-def apron(chalk: Chalk, name: str) -> list[Trim]:
-    """A piece over the front of the skirt, from the waist to above the hem."""
-    view = chalk.views.get("skirt_front")
-    column = None if view is None else view.column(0.0)
-    if view is None or column is None or column[1] - column[0] < _APRON_LEAST * chalk.size:
-        return []
-    low, high = column
-    span = view.span((low + high) / 2)
-    if span is None:
-        return []
-    widest = min(_APRON_BESIDE * min(-span[0], span[1]), _APRON_WIDEST * chalk.size)
-    for share in _APRON_SHARES:  # the waist of a round skirt is narrow
-        found = _apron(chalk, name, share * widest, min(widest, _APRON_WIDER * share * widest))
-        if found:
-            return found
-    return []
-
-
-def _apron(chalk: Chalk, name: str, half: float, low_half: float) -> list[Trim]:
-    """One of half widths at the waist and at its lower edge, cm."""
-    view = chalk.views["skirt_front"]
-    xs = np.linspace(-half, half, 13)
-    columns = [column for x in xs if (column := view.column(float(x))) is not None]
-    if half < 4.0 * chalk.size or len(columns) < len(xs):
-        return []
-    low, high = columns[len(xs) // 2]
-    if min(top for _, top in columns) < high - _APRON_SLANT * (high - low):
-        return []
-    corner = _APRON_CORNER * chalk.size
-    lows = xs * (low_half / half)
-    beside = np.clip((np.abs(lows) - low_half) / corner + 1.0, 0.0, 1.0)
-    hem = low + _APRON_ABOVE_HEM * (high - low) + corner * (1.0 - np.sqrt(1.0 - 0.98 * beside**2))
-    upper = [(float(x), top - 0.5) for x, (_, top) in zip(xs, columns, strict=True)]
-    lower = [(float(x), float(y)) for x, y in zip(lows, hem, strict=True)]
-    return chalk.ruled(name, view.panel.name, lower, upper)
 
 
 def _below_the_neck(chalk: Chalk) -> tuple[str, float, float] | None:

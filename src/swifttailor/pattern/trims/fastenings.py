@@ -29,6 +29,8 @@ _BAND = 1.6
 """Half the width of a front band, cm."""
 _DOUBLE_AT = 6.5
 """Distance of each of two rows of buttons from the middle, cm."""
+_PAIRS_BELOW = 2
+"""So many pairs lie below a belt at most."""
 _FLAP_AT, _FLAP = 8.0, 15.0
 """Half the width of the flap of trousers, and how far it reaches down, cm."""
 _POLO, _HALF_ZIP = 14.0, 24.0
@@ -181,7 +183,7 @@ def double_breasted(chalk: Chalk, name: str) -> list[Trim]:
     bottom = max(low + 3, min(_above_belt(chalk), top - _SHORTEST))
     many = math.ceil(chalk.pattern.button_count / 2) or max(round((top - bottom) / spacing), 1) + 1
     heights, radius = _row(bottom, top - 2, spacing, radius, many)
-    for y in heights:
+    for y in [*heights, *_below_belt(chalk, low + 3, spacing, radius)]:
         pair = [
             chalk.button(
                 name,
@@ -216,11 +218,31 @@ def _fall_front(chalk: Chalk, name: str) -> list[Trim]:
 
 def _above_belt(chalk: Chalk) -> float:
     """The lowest height at which a button is not hidden by a belt, cm; minus infinity without one."""
+    return max((band.height + band.width / 2 + 1.5 for band in _belts(chalk)), default=-math.inf)
+
+
+def _below_belt(chalk: Chalk, low: float, spacing: float, radius: float) -> list[float]:
+    """Heights of pairs of buttons between a belt and the end of the closing; none where their number is told.
+
+    Args:
+        chalk: Of the pattern.
+        low: Where the lowest may be, cm.
+        spacing: About how far apart they are, cm.
+        radius: Of a button, cm.
+    """
+    bands = _belts(chalk)
+    if not bands or chalk.pattern.button_count:
+        return []
+    top = min(band.height - band.width / 2 for band in bands) - 3.0 - radius
+    many = int((top - low) / spacing) + 1 if top > low else 0
+    return [top - k * spacing for k in range(min(many, _PAIRS_BELOW))]
+
+
+def _belts(chalk: Chalk) -> list[Belt]:
     worn = [
         piece for name in LIKE_EACH_OTHER[1][:2] if name in chalk.pattern.trims for piece in belt(chalk, name)
     ]
-    bands = [piece for piece in worn if isinstance(piece, Belt)]
-    return max((band.height + band.width / 2 + 1.5 for band in bands), default=-math.inf)
+    return [piece for piece in worn if isinstance(piece, Belt)]
 
 
 def front_zip(chalk: Chalk, name: str) -> list[Trim]:

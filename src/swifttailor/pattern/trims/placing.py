@@ -12,6 +12,7 @@ from swifttailor.pattern.trims import (
     belts,
     cut_outs,
     decorations,
+    denim,
     elastic,
     fastenings,
     pockets,
@@ -21,8 +22,11 @@ from swifttailor.pattern.trims import (
     seam_lines,
     top_pleats,
 )
+from swifttailor.pattern.trims.apron import apron
 from swifttailor.pattern.trims.arm_slits import arm_slits
+from swifttailor.pattern.trims.blouse_front import blouse_front
 from swifttailor.pattern.trims.boning import boning
+from swifttailor.pattern.trims.bust_gathers import bust_gathers
 from swifttailor.pattern.trims.chalk import Chalk
 from swifttailor.pattern.trims.chest_motifs import chest_heart, chest_star
 from swifttailor.pattern.trims.cowl import cowl_folds
@@ -32,6 +36,7 @@ from swifttailor.pattern.trims.elbow_patches import elbow_patches
 from swifttailor.pattern.trims.epaulettes import epaulettes
 from swifttailor.pattern.trims.fur_edges import fur_trim, neck_fur, sleeve_fur
 from swifttailor.pattern.trims.keyholes import keyhole
+from swifttailor.pattern.trims.kilt_edge import kilt_edge
 from swifttailor.pattern.trims.knee_patches import knee_patches
 from swifttailor.pattern.trims.layers import layer
 from swifttailor.pattern.trims.petal_sleeves import sleeve_petals
@@ -48,9 +53,11 @@ from swifttailor.pattern.trims.side_stripes import (
 )
 from swifttailor.pattern.trims.smocking import smocking
 from swifttailor.pattern.trims.stirrups import stirrups
+from swifttailor.pattern.trims.strap_buckles import strap_buckles
+from swifttailor.pattern.trims.thumb_holes import thumb_holes
 from swifttailor.pattern.trims.toggles import toggles
 from swifttailor.pattern.trims.tucks import tucks
-from swifttailor.pattern.trims.waist_frill import waist_frill
+from swifttailor.pattern.trims.waist_frill import folded_band, waist_frill
 from swifttailor.pattern.trims.yoke_frill import yoke_frill
 
 _PLACES: Mapping[str, Callable[[Chalk, str], list[Trim]]] = {
@@ -117,7 +124,7 @@ _PLACES: Mapping[str, Callable[[Chalk, str], list[Trim]]] = {
     "lacing": decorations.lacing,
     "boning": boning,
     "tucks": tucks,
-    "apron": decorations.apron,
+    "apron": apron,
     "creases": pressed_lines.creases,
     "pleat lines": pressed_lines.pleat_lines,
     "front pleats": pressed_lines.front_pleats,
@@ -172,6 +179,18 @@ _PLACES: Mapping[str, Callable[[Chalk, str], list[Trim]]] = {
     "cups": cups,
     "peplum": layer,
     "back cape": layer,
+    "topstitching": denim.topstitching,
+    "belt loops": denim.belt_loops,
+    "denim seams": denim.denim_seams,
+    "strap buckles": strap_buckles,
+    "kilt edge": kilt_edge,
+    "hem border": decorations.hem_border,
+    "folded band": folded_band,
+    "thumb holes": thumb_holes,
+    "sash": belts.sash,
+    "blouse front": blouse_front,
+    "bust gathers": bust_gathers,
+    "hip knot": belts.hip_knot,
 }
 """How each of `names.TRIMS` is marked."""
 

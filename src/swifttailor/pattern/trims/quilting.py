@@ -30,6 +30,18 @@ def lines_apart(pattern: Pattern) -> float:
     return APART * Chalk(pattern).size
 
 
+def heights_of_lines(panel: Panel, points: Floats) -> Floats | None:
+    """(n,) heights of points (n, 2) above the lower end of a quilted panel, from where lines are counted.
+
+    None of a panel that has no such lines.
+    """
+    if _QUILTED.fullmatch(panel.name) is None:
+        return None
+    outline = panel.outline(0.1)
+    axis = _along(panel, outline)
+    return points @ axis - float((outline @ axis).min())
+
+
 def quilted(chalk: Chalk, name: str) -> list[Trim]:
     """Lines around the body and the arms."""
     pieces: list[Trim] = []

@@ -20,6 +20,11 @@ _SWEATSHIRT, _SHORT = "sweatshirt", ("cap", "short", "elbow")
 _KNITTED = NamedDraft.parse("t-shirt(length=26;chest_ease=16;sleeve_length=60;sleeve_end=24;arm_ease=9)")
 """No ribbed band goes around an open hem, nor around a wide sleeve."""
 SLIT_SKIRT_CM, _FLARE = 72.0, 4.0
+_GOWN_CM = 88.0
+_OF_GOWNS = (
+    *("neckline", "neck_depth", "neck_widening", "bust_ease", "waist_ease"),
+    *("sleeve_length", "arm_ease", "sleeve_end"),
+)
 _ENDS: Mapping[str, float] = {"maxi": 103.0, "ankle": 96.0, "floor": 104.0}
 """Lengths of skirts with slits, cm, how they flare, degrees, and how long those are that are to end so. They
 are drafted long, as a slit over the joint of what was made longer opens in steps."""
@@ -58,6 +63,8 @@ def with_side_slits(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
 def close_for_a_slit(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     """A close skirt, or a dress with one, for a wide one: there a slit is seen.
 
+    A gown keeps its length, its neckline and its sleeves.
+
     Args:
         draft: Of a circle skirt or of a dress with one.
         claims: What is asked for, all of it.
@@ -65,6 +72,10 @@ def close_for_a_slit(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     if draft.name == "circle-skirt":
         kept = {name: value for name, value in draft.options if name in ("length", "band_height")}
         return NamedDraft("fitted-skirt", tuple({**kept, "flare": _FLARE}.items()))
+    options = dict(draft.options)
+    if float(options.get("skirt_length", 0.0)) >= _GOWN_CM:
+        kept = {name: options[name] for name in _OF_GOWNS if name in options}
+        return NamedDraft("fitted-dress", tuple({**kept, "skirt_length": 97.0, "skirt_flare": 6.0}.items()))
     ends = [str(claim.value) for claim in claims if claim.name == "skirt_hem"]
     length = next((_ENDS[end] for end in ends if end in _ENDS), SLIT_SKIRT_CM)
     return NamedDraft("fitted-dress", (("skirt_length", length),))

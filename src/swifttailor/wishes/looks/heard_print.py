@@ -82,6 +82,7 @@ _STRIPES_OF_ALL = "rainbow"
 _PANES = re.compile(r"window|pane|tattersall|grid|graph|overcheck", re.IGNORECASE)
 """Checks that are nothing but thin lines."""
 _BLOCKS, _HUNG_CM = 3, 180.0
+_BORDER = "hem_border"
 _BANDS_OF = {2: "two_blocks", 3: "blocks", 4: "four_blocks"}
 _BARE_ARMS = Claim("sleeves", "none")
 _WHITE, _COLORED, _PALEST = "#fdfcf8", 24, 226.0
@@ -248,7 +249,8 @@ def _of_blocks(text: str, words: WordReading, kind: str | None) -> ClothPrint | 
     colors = joined_colors(text, words)
     if blocks_named(words.marks) is not None and len(words.colors) >= _BLOCKS:
         colors = words.colors
-    bare = kind == "skirt" or (kind == "top" and words.certainty(_BARE_ARMS) is not None)
+    bordered = any(lack.what == _BORDER for lack in words.lacks)  # which is in the second
+    bare = (kind == "skirt" and not bordered) or (kind == "top" and words.certainty(_BARE_ARMS) is not None)
     if asks_for_plain(words) or len(colors) < (2 if bare else _BLOCKS):
         return None
     inks = tuple([f"#{color.rgb}" for color in colors[: max(_BANDS_OF)]])

@@ -11,7 +11,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 
+from swifttailor.wishes.outfits.aprons import with_apron_put_on
 from swifttailor.wishes.outfits.first_piece import first_piece
+from swifttailor.wishes.outfits.hooded_outfits import with_hooded_top
 from swifttailor.wishes.outfits.outfit_chunks import Chunk, bare, chunks_of
 from swifttailor.wishes.outfits.outfit_halves import HALVES, Half, half_named
 from swifttailor.wishes.outfits.outfit_pieces import Pieces, are_asked_for, joined_up, names_of, pieces_of
@@ -61,7 +63,7 @@ def two_garments(text: str) -> TwoGarments | None:
     """
     text = said_plainly(first_piece(text))
     text = _PLUS.sub(lambda found: " with " if "w" in found[0] else " and ", text)
-    text = _SUIT_OF.sub(r"\1, ", text)
+    text = _SUIT_OF.sub(r"\1, ", with_hooded_top(with_apron_put_on(text)))
     text = joined_up(text, read_words(text))
     text = parted_by_color(text, read_words(text))
     words = read_words(text)

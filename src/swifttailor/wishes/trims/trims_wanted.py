@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING
 from swifttailor.describing.claims import Claim
 from swifttailor.describing.differences import Gain
 from swifttailor.pattern.trims.names import LIKE_EACH_OTHER, TRIMS
+from swifttailor.wishes.trims.loops_and_stitches import loops_and_stitches
+from swifttailor.wishes.trims.sashes import BIBBED, first_of_kind
 from swifttailor.wishes.trims.three_stripes import THREE, three_as_said
 from swifttailor.wishes.trims.trims_by_place import is_elastic_behind, trims_by_place
 
@@ -19,7 +21,7 @@ if TYPE_CHECKING:
 _POCKETS = tuple(name for name in TRIMS if "pocket" in name)
 _BUTTONS = tuple(name for name in LIKE_EACH_OTHER[0] if "zip" not in name and name != "toggles")
 _ZIPS = ("zip", "half zip", "back zip", "side zip", "fly", "asymmetric zip")
-_BELTS = ("tie belt", "buckle belt")
+_BELTS = ("tie belt", "buckle belt", "sash")
 _TOP_PLEATS = ("pleated front", "fine pleats", "neck pleats", "shoulder pleats", "back pleat")
 _KNEE_RIPS = ("knee rips", "left knee rip", "right knee rip")
 _FRILLS = ("neck frill", "sleeve frills", "hem frill", "front frills", "yoke frill")
@@ -36,7 +38,16 @@ TRIMS_OF: Mapping[str, tuple[str, ...]] = {
     "rolled_sleeves": ("sleeve turn-ups",),
     "french_cuffs": ("sleeve turn-ups",),
     "padding": ("quilting",),
-    "ties": ("tie belt", "neck bow", "waist bow", "shoulder bows", "back bow", "back ties"),
+    "ties": (
+        "tie belt",
+        "sash",
+        "neck bow",
+        "waist bow",
+        "shoulder bows",
+        "back bow",
+        "back ties",
+        "hip knot",
+    ),
     "braid": ("edging", "piping", "bands", "narrow bands"),
     "lace": ("lace trim", "neck lace"),
     "fur": ("neck fur", "fur trim", "sleeve fur"),
@@ -84,6 +95,16 @@ TRIMS_OF: Mapping[str, tuple[str, ...]] = {
     "cups": ("cups",),
     "peplum": ("peplum",),
     "cape": ("back cape",),
+    "topstitching": ("topstitching",),
+    "denim_seams": ("denim seams",),
+    "belt_loops": ("belt loops",),
+    "buckles": ("strap buckles", "kilt edge"),
+    "wrap": ("kilt edge",),
+    "hem_border": ("hem border",),
+    "folded_band": ("folded band",),
+    "thumb_holes": ("thumb holes",),
+    "blouse_front": ("blouse front",),
+    "bust_gathers": ("bust gathers",),
 }
 """By key of what cannot be made of panels, which trims can stand for it."""
 _JACKETS = frozenset(
@@ -108,6 +129,7 @@ _SECOND = (("side_stripes", "side_stripes", "side stripes"), ("edging", "braid",
 _KNITS = frozenset({"jersey", "rib-knit", "sweatshirt", "fleece"})
 _SAID_ALONE = frozenset(
     {
+        "wrap",
         *("lace", "braid", "apron", "boning", "pleats", "smocking", "ruching", "tucks"),
         *("cut_outs", "draped", "draped_cloth", "yoke", "princess_seams", "scallops"),
         *("train", "overskirt", "tulle_layers", "second_layer", "cups", "cape"),
@@ -183,6 +205,8 @@ def trims_wanted(heard: Heard, draft: str = "", kind: str = "") -> tuple[TrimWis
             others = [name for name in said if name != _ANY_BIG]
             said = tuple(dict.fromkeys([*[names[0] for names in placed], *others]))
         choices = _usual(lack.what, kind, heard.cloth, draft) if can else ()
+        if choices and (first := first_of_kind(lack, kind, draft, heard.text)):
+            choices = (first, *choices)
         if lack.what == "elastic" and is_elastic_behind(heard.text):
             choices = (("back elastic",), *choices)
         if choices and lack.what == "frills" and _FLOUNCED in _claims(heard):
@@ -209,6 +233,11 @@ def trims_wanted(heard: Heard, draft: str = "", kind: str = "") -> tuple[TrimWis
     if draft in _FOR_JACKETS and not any(wish.what == "buttons" for wish in found) and _is_a_jacket(heard):
         pocketed = () if any(wish.what == "pockets" for wish in found) else (("buttons", "welt pockets"),)
         found.append(TrimWish("buttons", False, (*pocketed, ("buttons",))))
+    own = (*named, *_of_garment(heard))
+    taken = {wish.what for wish in found}
+    for what, names in loops_and_stitches(kind, draft, cloth=heard.cloth, own=own):
+        if what not in taken:
+            found.append(TrimWish(what, False, tuple([(name,) for name in names])))
     return tuple(found)
 
 
@@ -346,6 +375,8 @@ def _usual(what: str, kind: str, cloth: str | None, draft: str) -> tuple[tuple[s
     if what == "pleats":
         pleated = "front pleats" if kind in _LOWER else "pleated front"
         return ((pleated,),) if kind in (*_LOWER, "top", "tunic") else ()
+    if what == "wrap" or (what == "buckles" and draft not in BIBBED):
+        return ()
     if what in ("padding", "lettering", "asymmetric_closing", "fur", "cut_outs", "draped", "rib_bands"):
         return ()
     return tuple([(name,) for name in TRIMS_OF.get(what, ())])

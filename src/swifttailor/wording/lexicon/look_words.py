@@ -31,6 +31,7 @@ PUT_ON = {
     "apron": "apron",
     "braid": "edging",
     "lace": "edging",
+    "hem_border": "edging",
     "side_stripes": STRIPES,
     "side_panels": SIDE_PANELS,
     "ties": "bow",

@@ -1,0 +1,57 @@
+"""The sewing steps of what certain garments are told by: jeans, dungarees, kilts, dirndls."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+OF_KINDS: Mapping[str, tuple[str, str]] = {
+    "topstitching": (
+        "Topstitching",
+        "Sew along the marked lines from the right side with strong thread of another colour, two rows where "
+        "cloth is felled, before what lies across their ends is sewn.",
+    ),
+    "belt loops": (
+        "Belt loops",
+        "Cut a strip of 3 cm, as long as all loops and their turnings, fold it in three and topstitch both "
+        "edges. Cut it into loops, and sew them to the band at the marked pieces above and below.",
+    ),
+    "denim seams": (
+        "Yoke and seams",
+        "Cut the panels apart along the marks, with allowances on both sides, sew them together again, and "
+        "topstitch the seams with thread of another colour.",
+    ),
+    "strap buckles": (
+        "Buckles",
+        "Draw the ends of the straps through sliding buckles where these are marked, and set buttons for "
+        "them on the bib and at the hips.",
+    ),
+    "kilt edge": (
+        "Edge of the apron",
+        "Lay a second front, cut as far as the marked edge, over the front and catch it in the waistband. "
+        "Fray its edge, put the pin through it, and sew the strap with its buckle to the waist.",
+    ),
+    "thumb holes": (
+        "Holes for the thumbs",
+        "Leave the seam open at the marked holes or cut them out, and sew around them.",
+    ),
+    "sash": (
+        "Sash",
+        "Cut a band of 280 by 13 cm, fold it lengthwise, sew around it but for a gap, and turn it. Catch it "
+        "at the side seams, and tie it in a bow behind.",
+    ),
+    "bust gathers": (
+        "Gathers below the bust",
+        "Cut front and back apart along the marked seam, the part below half as wide again, with allowances. "
+        "Gather its upper edge to the length of the other, and sew both together.",
+    ),
+    "hip knot": (
+        "Knot at the hip",
+        "Cut two bands of 50 by 14 cm, hem them, catch one in each front edge at the waist, and tie them.",
+    ),
+    "blouse front": (
+        "Blouse",
+        "Cut the marked pieces of white cloth, with allowances. Sew them to the neck, and their lower edges "
+        "behind the upper edge of the bodice.",
+    ),
+}
+"""Title and text of each step, by the name of the trim."""
