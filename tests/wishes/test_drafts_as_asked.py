@@ -35,7 +35,11 @@ SLITS = [Claim("slit", "left"), Claim("slit", "right")]
     [
         ("shirt", [], "shirt"),
         ("t-shirt(chest_ease=8)", [OPEN_BACK], "fitted-top(back_neck_depth=38;neck_widening=4)"),
-        ("t-shirt(chest_ease=8)", [OPEN_BACK, Claim("sleeves", "short")], "t-shirt(chest_ease=8;back_neck_depth=31)"),
+        (
+            "t-shirt(chest_ease=8)",
+            [OPEN_BACK, Claim("sleeves", "short")],
+            "t-shirt(chest_ease=8;back_neck_depth=31)",
+        ),
         ("shirt", [STAND], "shirt(collar=standing)"),
         (
             "denim-jacket(length=12)",
