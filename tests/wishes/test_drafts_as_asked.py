@@ -25,9 +25,9 @@ GATHERED, PUFFED = Claim("skirt", "gathered"), Claim("sleeve_shape", "puffed")
 BELLS = "swing-dress(sleeve_shape=bell;sleeve_length=60;sleeves=true)"
 LOOSE = Claim("fit", "loose")
 WIDE_LEGS = Claim("legs", "wide")
-SLEEVELESS = "tank-top(strap_width=8;neck_widening=2;neck_depth=10;back_neck_depth=3;length=6)"
-TENT_DRESS = "swing-dress(length=50;neck_widening=1.5;sleeves=false)"
-LOOSE_DRESS = "shift-dress(length=50;neck_widening=1.5;chest_ease=13;flare=24;sleeves=false)"
+SLEEVELESS = "tank-top(strap_width=8;neck_widening=1;neck_depth=11;back_neck_depth=3;length=6)"
+TENT_DRESS = "swing-dress(length=50;neck_widening=1;sleeves=false)"
+LOOSE_DRESS = "shift-dress(length=50;neck_widening=1;chest_ease=13;flare=24;sleeves=false)"
 SLITS = [Claim("slit", "left"), Claim("slit", "right")]
 
 
@@ -36,7 +36,11 @@ SLITS = [Claim("slit", "left"), Claim("slit", "right")]
     [
         ("shirt", [], "shirt"),
         ("t-shirt(chest_ease=8)", [OPEN_BACK], "fitted-top(back_neck_depth=38;neck_widening=4)"),
-        ("t-shirt(chest_ease=8)", [OPEN_BACK, Claim("sleeves", "short")], "t-shirt(chest_ease=8)"),
+        (
+            "t-shirt(chest_ease=8)",
+            [OPEN_BACK, Claim("sleeves", "short")],
+            "t-shirt(chest_ease=8;back_neck_depth=31)",
+        ),
         ("shirt", [STAND], "shirt(collar=standing)"),
         (
             "denim-jacket(length=12)",
@@ -90,7 +94,7 @@ SLITS = [Claim("slit", "left"), Claim("slit", "right")]
         ("fitted-dress(neck_depth=13)", [BARE], "strapless-dress(skirt_length=60;fitted=true)"),
         ("jeans", [Claim("rise", "low")], "jeans(below_waist=14)"),
         ("circle-skirt(length=60)", [GATHERED], "gathered-skirt(length=60)"),
-        ("t-shirt", [Claim("neckline", "v")], "t-shirt(neckline=v;neck_widening=1;neck_depth=16)"),
+        ("t-shirt", [Claim("neckline", "v")], "t-shirt(neckline=v;neck_widening=0;neck_depth=18)"),
         ("jumpsuit(leg_ease=2)", [Claim("legs", "slim")], "jumpsuit(leg_ease=2)"),
         ("sweatshirt", [BARE], None),
         ("off-shoulder-top", [BARE], "off-shoulder-top"),
@@ -147,12 +151,12 @@ SLITS = [Claim("slit", "left"), Claim("slit", "right")]
         (
             "skater-dress",
             [Claim("neckline", "round"), Claim("neck_depth", "high")],
-            "skater-dress(back_neck_depth=2.5;neck_widening=0.5;neck_depth=8.5)",
+            "skater-dress(neck_widening=-1.2;neck_depth=9.5;back_neck_depth=2.5)",
         ),
         (
             "skater-dress",
             [Claim("neckline", "round"), Claim("neck_depth", "high"), Claim("back_depth", "open")],
-            "skater-dress(neck_widening=0.5;neck_depth=8.5;back_neck_depth=38)",
+            "skater-dress(neck_widening=-1.2;neck_depth=9.5;back_neck_depth=38)",
         ),
         ("fitted-dress", [OPEN_BACK], "fitted-dress(back_neck_depth=38;neck_widening=4)"),
         ("fitted-dress", [OPEN_BACK, Claim("back_depth_cm", 30.0)], "fitted-dress"),

@@ -42,7 +42,9 @@ def test_nothing_is_changed_unasked():
 
 
 def test_its_lobes_lie_above_its_middle():
-    front = draft("fitted-dress", neckline="sweetheart", neck_depth=16.0).panel("left_ftorso")
+    front = draft("fitted-dress", neckline="sweetheart", neck_depth=16.0, neck_widening=3.0).panel(
+        "left_ftorso"
+    )
     outline = front.to_world(front.outline(0.5))
     middle = outline[np.abs(outline[:, 0]) < 0.1][:, 1].max()
     aside = outline[(outline[:, 0] > 3.5) & (outline[:, 0] < 6.0)][:, 1].max()

@@ -28,6 +28,9 @@ STEP = 1.3
 """Distance of the points of a patch, cm."""
 _LIFT = {"cloth": 0.30, "dark": 0.42, "metal": 0.36, "hole": 0.24, "thread": 0.44}
 """How far pieces lie above the cloth, cm."""
+_FINE_STEP, _HANGING, _FOLD_LIFT = 0.5, 1.6, 0.05
+"""Distance of the points across a fold, cm; a power of the way down it, by which it is fullest low down; and
+how far its edges lie above the cloth, cm."""
 _QUILTING_LIFT = 0.14
 """Stitches through wadding lie deeper than those on top of pockets."""
 _BUTTON_LIFT, _BUTTON_HEIGHT = 0.34, 0.22
@@ -118,7 +121,8 @@ def _patch(garment: Garment, patch: Patch, places: Array) -> TrimMesh:
         + [[float(len(lengths))]]
     )
     first, second = (_at(line, along) for line in (patch.first, patch.second))
-    across = max(int(np.ceil(np.linalg.norm(second - first, axis=1).max() / STEP)), 1)
+    widths = np.linalg.norm(second - first, axis=1)
+    across = max(int(np.ceil(widths.max() / (_FINE_STEP if patch.swell else STEP))), 1)
     share = np.linspace(0, 1, across + 1)[:, None, None]
     flat = (1 - share) * first + share * second
     rows, columns = flat.shape[:2]
@@ -129,12 +133,16 @@ def _patch(garment: Garment, patch: Patch, places: Array) -> TrimMesh:
     count = rows * columns
     grid = np.arange(count).reshape(rows, columns)
     ring = np.concatenate([grid[0, :-1], grid[:-1, -1], grid[-1, :0:-1], grid[:0:-1, 0]])
+    if patch.swell:
+        lift = _FOLD_LIFT + patch.swell * _bulge(widths / widths.max(), across).reshape(-1, 1)
     vertices = np.concatenate([points + lift * normals, points[ring]])
     low = count + np.arange(len(ring))
     quads = np.stack([grid[:-1, :-1], grid[:-1, 1:], grid[1:, 1:], grid[1:, :-1]], axis=-1).reshape(-1, 4)
     walls = np.stack([ring, low, np.roll(low, -1), np.roll(ring, -1)], axis=-1)
-    quads = np.concatenate([quads, walls])
+    quads = quads if patch.swell else np.concatenate([quads, walls])
     border = np.stack([ring, np.roll(ring, -1)], axis=1) if patch.look == "cloth" else np.zeros((0, 2), int)
+    if patch.swell:  # only where it ends below, and not in the middle, where both halves meet
+        border = np.stack([grid[-1, :-1], grid[-1, 1:]], axis=1)
     faces = np.concatenate([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]])
     faces = _outward(vertices, faces, normals, points)
     a, b, c = (vertices[faces[:, k]] for k in range(3))
@@ -146,6 +154,17 @@ def _patch(garment: Garment, patch: Patch, places: Array) -> TrimMesh:
         at = np.concatenate([lie, lie[ring]])[faces]
     flats = np.concatenate([flat, flat[ring]])
     return TrimMesh(patch.trim, patch.look, vertices, faces, border, at, flats, patch.panel)
+
+
+def _bulge(widths: Array, across: int) -> Array:
+    """How far the points (across + 1, n) of a fold stand off, 0 to 1: it hangs, and is fullest low down.
+
+    Args:
+        widths: (n,) of the fold along it, over the greatest.
+        across: How many meshes it is wide.
+    """
+    share = np.linspace(0.0, 1.0, across + 1)[:, None]
+    return np.sin(np.pi * share**_HANGING) * widths
 
 
 def _button(garment: Garment, button: Button) -> TrimMesh:

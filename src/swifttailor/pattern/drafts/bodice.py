@@ -321,7 +321,7 @@ def lay_torso_half(
         armhole(outline, tip, figure.slope, scoop)
     outline.line("shoulder", *neck)
     fall = figure.neck_y + lift - neck[1]
-    depth = (neckline.front_depth if front else neckline.back_depth) - fall
+    depth = (neckline.fall_in_front if front else neckline.back_depth) - fall
     low = outline.sides[0].start
     if racer:  # above where the straps run together
         depth = min(depth, RACER_NECK * (tip[1] - underarm))

@@ -9,13 +9,28 @@ from swifttailor.pattern.drafts.options import Option
 
 NeckShapeOption = Annotated[NeckShape, Option("Shape of the front neckline; the back is round.")]
 NeckWidening = Annotated[
-    float, Option("Distance of the neckline from the neck, along the shoulder.", "cm", 0.0, 6.0)
+    float,
+    Option(
+        "Distance of the neckline from the neck, along the shoulder; crew necks have less than 0.",
+        "cm",
+        -2.0,
+        6.0,
+    ),
 ]
 CloseNeckWidening = Annotated[
     float, Option("Distance of the neckline from the neck, along the shoulder.", "cm", 0.0, 3.0)
 ]
 NeckDepth = Annotated[
     float, Option("Fall of the front neckline below the neck-shoulder point.", "cm", 6.0, 22.0)
+]
+PlungingNeckDepth = Annotated[
+    float,
+    Option(
+        "Fall of the front neckline below the neck-shoulder point; only a V is deeper than 22.",
+        "cm",
+        6.0,
+        32.0,
+    ),
 ]
 BackNeckDepth = Annotated[
     float, Option("Fall of the back neckline below the neck-shoulder point.", "cm", 1.0, 16.0)
@@ -120,7 +135,7 @@ BandedLength = Annotated[
     float, Option("Hem below the waist, band included; negative ends above it.", "cm", -6.0, 50.0)
 ]
 HighNeckWidening = Annotated[
-    float, Option("Distance of the neckline from the neck, along the shoulder.", "cm", 1.0, 5.0)
+    float, Option("Distance of the neckline from the neck, along the shoulder.", "cm", -1.5, 5.0)
 ]
 HighNeckDepth = Annotated[
     float, Option("Fall of the front neckline below the neck-shoulder point.", "cm", 7.0, 14.0)

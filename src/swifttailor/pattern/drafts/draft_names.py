@@ -103,7 +103,8 @@ class NamedDraft:
         bib = _OF_BIBS if self.name in ("dungarees", "pinafore", "apron") else ()
         bib = (*bib, *(_OF_CROSSED if dict(self.options).get(CROSSED) else ()))
         bib = tuple([("kind", kind) for kind in self.without_bib]) or bib
-        broad = (("straps", "wide"),) if bib and STRAP_WIDTH in dict(self.options) else ()
+        angular = dict(self.options).get(NECKLINE) in ANGULAR
+        broad = (("straps", "wide"),) if angular or (bib and STRAP_WIDTH in dict(self.options)) else ()
         high = (("slit_size", "high"),) if float(dict(self.options).get(SIDE_SLITS, 0.0)) >= HIGH_CM else ()
         wings = _OF_WINGS if dict(self.options).get(ARMHOLE) == "cut-in-one" else ()
         options = dict(self.options)
@@ -192,11 +193,13 @@ RACER, RACERBACK = "racer", "racerback"
 _OF_RACERS = (("armholes", "angled"), ("armholes", "deep"))
 NECKLINE, SWEETHEART = "neckline", "sweetheart"
 """The option of the shape of a neckline, and one of its values, which is a key of ``cannot.txt`` as well."""
+ANGULAR = frozenset({"square", SWEETHEART})
+"""Necklines that leave broad straps, and would be narrow if these were as broad as shoulders."""
 ROOMY_CM = 7.0
 """With so much room on top of the hips drafts look loose there; with more, they stand off at the sides."""
 A_LINE_CM = 12.0
 """Shift dresses with hems so much wider than straight ones are A-line."""
-_OF_STANDS = (("neck_depth", "high"),)
+_OF_STANDS = (("neck_depth", "high"), ("collar", "stand"))
 _OF_FLARE, _OF_NO_FLARE = (("skirt", "a-line"),), (("skirt", "straight"),)
 _OF_DIPS = (
     ("hem_shape", "high-low"),

@@ -13,12 +13,20 @@ from swifttailor.pattern.drafts.outline import Outline, Point, Side
 FrontShape = Literal["rounded", "sailor"]
 _OUTSIDE = 4.0
 """How far outside the torso it stands before draping, cm."""
+_BELOW = 5.0
+"""How far below its neckline it stands then, cm: sewn from there it is drawn up to the neck, and lies; from
+as high as the neckline it may spring up around the neck.
+"""
 _POINT_OUT = 0.55
 """Distance of a point from the middle, over the width of the collar."""
 _POINT_DOWN = 1.45
 """Fall of a point below the end of the neckline, over the width of the collar."""
-_ROUND_DOWN, _ROUND_OUT = 1.5, 0.8
-"""How far rounded ends are pulled down and out, over the width and over how far out the shoulder is."""
+_LEAF_OUT, _LEAF_DOWN = 0.8, 1.0
+"""Where the front edge of a rounded leaf is lowest, beside and below the end of the neckline, over its width:
+leaves that met in the middle would look like a ring."""
+_LEAF_ROUND, _LEAF_BEND, _ROUND_OUT = 0.75, 0.45, 0.85
+"""How far down and out, as parts of the way, that edge bends, and how far out the lower edge runs level, over
+how far out the shoulder is."""
 _SAILOR_DOWN, _SAILOR_SQUARE = 15.0, 0.97
 """How far a sailor collar hangs down behind, cm, and its half width there over that at the shoulder."""
 _SAILOR_OUT, _SAILOR_UP = 0.62, 0.3
@@ -61,11 +69,7 @@ def lay_fold_collar(table: CuttingTable, shape: FoldCollar) -> None:
         elif shape.ends is None:
             _draw_points(outline, neck, shape.width, outer)
         elif shape.ends == "rounded":
-            across, down = (
-                (_ROUND_OUT * outer[0], outer[1] - 1.2 * shape.width),
-                (0.0, low - _ROUND_DOWN * shape.width),
-            )
-            outline.cubic("outer", down, across, outer)
+            _draw_leaf(outline, low, shape.width, outer)
         else:
             bend = (_SAILOR_OUT * outer[0], low + _SAILOR_UP * (outer[1] - low))
             outline.quadratic("outer", bend, outer)
@@ -74,9 +78,18 @@ def lay_fold_collar(table: CuttingTable, shape: FoldCollar) -> None:
             outline.follow(side)
         z = FRONT_Z + _OUTSIDE if front else BACK_Z - _OUTSIDE
         name = f"left_collar_{face}"
-        table.lay(name, outline.closed(), label="body", at=(0.0, 0.0, z), back=not front)
+        table.lay(name, outline.closed(), label="body", at=(0.0, -_BELOW, z), back=not front)
         table.seam(f"{torso}.neck", f"{name}.neck", folded=True)
     table.seam("left_collar_front.shoulder", "left_collar_back.shoulder")
+
+
+def _draw_leaf(outline: Outline, low: float, width: float, outer: Point) -> None:
+    """A front with a rounded end, which leaves the middle at the end of the neckline."""
+    lowest = (_LEAF_OUT * width, low - _LEAF_DOWN * width)
+    bend = _LEAF_BEND * lowest[0], low - _LEAF_ROUND * _LEAF_DOWN * width
+    outline.cubic("outer", bend, (_LEAF_BEND * lowest[0], lowest[1]), lowest)
+    across = max(_ROUND_OUT * outer[0], lowest[0] + 1.0)
+    outline.cubic("outer", (1.6 * lowest[0], lowest[1]), (across, outer[1] - 1.2 * width), outer)
 
 
 def _draw_points(outline: Outline, neck: list[Side], width: float, outer: Point) -> None:

@@ -40,7 +40,8 @@ _FOLDED_DEPTH = 7.0, 16.0
 _STANDING_WIDENING, _STANDING_DEPTH, _STANDING_BEHIND = -0.8, 6.0, 2.2
 """Of necklines of collars that stand, cm: on wider ones, or higher ones behind, they stand away from the
 neck."""
-_FLAT_DEPTH = 8.0
+_FLAT_WIDENING, _FLAT_DEPTH = -0.5, 9.0
+"""Of necklines of flat collars, cm."""
 _REVERS_DEPTH, _REVERS_CM = (16.0, 20.0), 6.5
 """Fall of the V of a collar with small lapels, at least and at most, and their width, cm."""
 _HOOD_WIDENING, _HOOD_DEPTH = 2.0, 10.0
@@ -81,7 +82,7 @@ class NeckCollar:
         if self.shape == "hood":
             return Neckline("round", _HOOD_WIDENING, _HOOD_DEPTH, _BEHIND)
         if self.shape == "flat":
-            return Neckline("round", min(asked.widening, _CLOSE), _FLAT_DEPTH, _BEHIND)
+            return Neckline("round", _FLAT_WIDENING, _FLAT_DEPTH, _STANDING_BEHIND)
         if self.shape in ("standing", "mandarin", "shirt", "rolled"):
             return Neckline("round", _STANDING_WIDENING, _STANDING_DEPTH, _STANDING_BEHIND)
         return asked

@@ -13,6 +13,8 @@ BARE_BACK = 18.0
 _ABOVE_SEAM = 2.0
 """How much of the middle of such a back is left above its lower edge, cm."""
 
+_DEEPEST_WIDE = 22.0
+"""The deepest neckline that is as wide below as above, cm."""
 _LOBES = 0.34
 """How far the lobes of a heart begin above its lowest point, as a part of its depth."""
 
@@ -35,6 +37,11 @@ class Neckline:
     def start_x(self, figure: Figure) -> float:
         """Where on the shoulder the neckline starts; at least 3 cm of shoulder remain."""
         return min(figure.neck_x + self.widening, figure.shoulder_x - 3.0)
+
+    @property
+    def fall_in_front(self) -> float:
+        """Fall of the centre front, cm: only a V may be deeper than what lies between armholes and darts."""
+        return self.front_depth if self.shape == "v" else min(self.front_depth, _DEEPEST_WIDE)
 
     @property
     def bares_back(self) -> bool:

@@ -35,7 +35,16 @@ _BELOW_NECK = 1.0
 _LACED_APART, _LACES_RISE, _LACE = 3.2, 3.6, 0.22
 """Distance of the eyelets from the middle, of one pair from the next, and half the width of the lace, cm."""
 _LACED_LEAST, _LACED_MOST = 10.0, 28.0
-_CORD = 15.0
+_CORD, _KNOT_BESIDE = 15.0, 0.6
+"""Length of a cord's ends, and how far beside the middle those of a bow begin, cm."""
+_HANGING = ((((3.0, 0.3), (3.1, 0.5 * _CORD), (3.6, _CORD)), 0.35),)
+_LOOP = (
+    ((0.5, 1.3), (1.5, 0.7), (2.8, 0.7), (3.9, 1.3), (4.4, 2.1)),
+    ((4.4, 2.3), (3.8, 2.9), (2.7, 2.8), (1.5, 2.3), (0.6, 1.7)),
+)
+_END = ((0.5, 1.9), (1.1, 0.5 * _CORD), (2.4, 0.85 * _CORD))
+_TIED = (*((arc, 0.2) for arc in _LOOP), (_END, 0.22))
+"""Ways of a cord on one side, aside and below the neckline, and half the widths they are drawn with, cm."""
 
 
 def neck_rib(chalk: Chalk, name: str) -> list[Trim]:
@@ -193,21 +202,25 @@ def bow_at_waist(
 
 
 def neck_cord(chalk: Chalk, name: str) -> list[Trim]:
-    """Two ends that hang from the neck in front."""
+    """Two ends that hang from the neck in front; from a hood side by side, else from a bow in the middle."""
     seam = front_edge(chalk.pattern)
     if seam is None:
         return []
     right, left, low, high = seam
     s, pieces = chalk.size, []
+    hooded = any("hood" in panel.name for panel in chalk.pattern.panels)
     for ref, sign in ((right, -1), (left, 1)):
         if ref.panel not in chalk.views:
             return []
-        top = chalk.height_within(chalk.views[ref.panel], sign * 3.0 * s, high + 2.0, low)
-        ends = [(sign * x * s, top - y * s) for x, y in ((3.0, 0.3), (3.1, 0.5 * _CORD), (3.6, _CORD))]
-        found = chalk.line(name, ref.panel, ends, width=0.35)
-        if not found:
-            return []
-        pieces += found
+        at = 3.0 if hooded else _KNOT_BESIDE
+        top = chalk.height_within(chalk.views[ref.panel], sign * at * s, high + 2.0, low)
+        ways = _HANGING if hooded else _TIED
+        for way, width in ways:
+            ends = [(sign * x * s, top - y * s) for x, y in way]
+            found = chalk.line(name, ref.panel, ends, width=width)
+            if not found:
+                return []
+            pieces += found
     return pieces
 
 

@@ -39,6 +39,7 @@ from swifttailor.pattern.trims.keyholes import keyhole
 from swifttailor.pattern.trims.kilt_edge import kilt_edge
 from swifttailor.pattern.trims.knee_patches import knee_patches
 from swifttailor.pattern.trims.layers import layer
+from swifttailor.pattern.trims.neck_gathers import neck_gathers
 from swifttailor.pattern.trims.petal_sleeves import sleeve_petals
 from swifttailor.pattern.trims.reflecting_bands import reflecting_bands
 from swifttailor.pattern.trims.rips import frayed_hem, rips
@@ -169,7 +170,7 @@ _PLACES: Mapping[str, Callable[[Chalk, str], list[Trim]]] = {
     "shoulder pleats": top_pleats.shoulder_pleats,
     "back pleat": top_pleats.back_pleat,
     "sleeve petals": sleeve_petals,
-    "neck gathers": top_pleats.neck_gathers,
+    "neck gathers": neck_gathers,
     "shoulder gathers": top_pleats.shoulder_gathers,
     "train": layer,
     "long train": layer,

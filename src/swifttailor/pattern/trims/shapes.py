@@ -24,7 +24,9 @@ class Patch:
     """(n, 2) panel-local cm; what lies between corresponding points is covered."""
     look: Look = "cloth"
     is_cut: bool = True
-    """Whether it is cut of cloth and sewn on; otherwise it is a line of stitches or an opening."""
+    """Whether it is cut of cloth and sewn on; otherwise it is a line of stitches, an opening or a fold."""
+    swell: float = 0.0
+    """How far it stands off the cloth where it is widest, cm: a fold that hangs from `first` to `second`."""
 
     @property
     def outline(self) -> Floats:

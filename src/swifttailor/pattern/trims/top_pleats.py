@@ -27,7 +27,6 @@ _NECK, _SPREAD = (11.0, 14.0, 12.0, 9.0), 0.42
 """How long they are, cm, and how far they spread: the way aside of the outermost over its length."""
 _ON_SHOULDER, _SHOULDER, _LEAST_SHOULDER = (0.3, 0.55, 0.8), (15.0, 17.0, 14.0), 4.0
 """The same of those below the shoulders, as parts of the seam; a shorter seam has none, cm."""
-_OF_NECK_GATHERS = (0.08, 0.2, 0.32, 0.44, 0.56, 0.68, 0.8, 0.9)
 _ON_SHOULDER_GATHERS = (0.18, 0.32, 0.46, 0.6, 0.74, 0.86)
 _GATHERS = (6.5, 4.5, 8.0, 5.0)
 """Where gathers begin, in the same parts, and how long they are in turn, cm."""
@@ -51,11 +50,6 @@ def fine_pleats(chalk: Chalk, name: str) -> list[Trim]:
 def neck_pleats(chalk: Chalk, name: str) -> list[Trim]:
     """Short folds that fan out below the neckline."""
     return _from_neck(chalk, name, _OF_NECK, _NECK)
-
-
-def neck_gathers(chalk: Chalk, name: str) -> list[Trim]:
-    """Many short folds that run down from the neckline, long and short ones in turn."""
-    return _from_neck(chalk, name, _OF_NECK_GATHERS, _GATHERS)
 
 
 def shoulder_pleats(chalk: Chalk, name: str) -> list[Trim]:

@@ -30,6 +30,8 @@ _SCOOPED = (
     *("fitted-top", "peplum-top"),
 )
 """Drafts whose back ends at the waist, down to which it may be bare."""
+_HANGING, _LOW_BACK_CM = ("t-shirt", "shift-dress"), 31.0
+"""What hangs from its shoulders, with sleeves or room, and how low its back may be, cm."""
 _HALTER = "halter-dress"
 _BARE_BACK_CM, _BARE_WIDENING_CM, _HALTER_FALL_CM = 38.0, 4.0, 18.0
 """How deep it is then, how narrow the shoulders are, and how far the back of a halter falls."""
@@ -90,6 +92,8 @@ def bared_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     if draft.name == "camisole" and own.get("stretch") and _BARE in claims:
         kept = {name: own[name] for name in ("stretch", "length") if name in own}
         return NamedDraft("bandeau", tuple({"knit": True, **kept}.items()))
+    if draft.name in _HANGING and _OPEN_BACK in claims and not _is_otherwise(claims):
+        return replace(draft, options=tuple({**own, "back_neck_depth": _LOW_BACK_CM}.items()))
     if draft.name in _SCOOPED and _OPEN_BACK in claims and not _is_otherwise(claims):
         bare = {**own, "back_neck_depth": _BARE_BACK_CM}
         if _CLOSE_NECKS.isdisjoint(claims):

@@ -25,6 +25,7 @@ from swifttailor.wishes.drafts.cropped_drafts import cropped_as_asked
 from swifttailor.wishes.drafts.held_drafts import held_as_asked, on_straps_that_hold
 from swifttailor.wishes.drafts.hooded_drafts import hooded_as_asked
 from swifttailor.wishes.drafts.legged_drafts import legs_as_asked
+from swifttailor.wishes.drafts.necks_as_asked import neck_as_asked
 from swifttailor.wishes.drafts.skirted_coats import skirted_as_asked
 from swifttailor.wishes.drafts.sleeved_drafts import sleeves_as_asked
 from swifttailor.wishes.drafts.slit_skirts import slit_as_asked
@@ -69,20 +70,8 @@ _SKATER_CM = 50.0
 _SHORT = ("cap", "short", "elbow")
 _GATHERED_SKIRT, _GATHERS = Claim("skirt", "gathered"), 2.0
 """What a shirt dress is asked for, and the width of its skirt over the waist then."""
-_DEPTHS = frozenset({"neck_depth", "neck_depth_cm", "collar", "hood"})
-_V_NECKED = (
-    "t-shirt",
-    "sweatshirt",
-    "tank-top",
-    "fitted-dress",
-    "skater-dress",
-    "shift-dress",
-    "jumpsuit",
-    "empire-dress",
-)
-_V_WIDENING_CM, _V_DEPTH_CM = 1.0, 16.0
 _OF_TANKS = ("length", "chest_ease", "flare", "neck_depth", SIDE_SLITS)
-_SLEEVELESS = {"strap_width": 8.0, "neck_widening": 2.0, "neck_depth": 10.0, "back_neck_depth": 3.0}
+_SLEEVELESS = {"strap_width": 8.0, "neck_widening": 1.0, "neck_depth": 11.0, "back_neck_depth": 3.0}
 _SWEATSHIRT = "sweatshirt"
 _FLAT = ("collar", "folded")
 _OF_NECKLINES = frozenset({"neckline", "collar", "hood", "straps"})
@@ -125,8 +114,7 @@ def draft_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft | N
         claims: What is asked for, all of it.
     """
     draft = _as_another(_darted(cropped_as_asked(skirted_as_asked(draft, claims), claims), claims), claims)
-    draft = _with_v_neck(_with_hood(_worn_over(draft, claims), claims), claims)
-    draft = _with_close_neck(draft, claims)
+    draft = neck_as_asked(_with_hood(_worn_over(draft, claims), claims), claims)
     draft = with_side_slits(draft, claims)
     if draft.name in _BIBBED and Claim("straps", "wide") in claims:
         draft = replace(draft, options=(*draft.options, (STRAP_WIDTH, _WIDE_STRAP_CM)))
@@ -151,7 +139,7 @@ def draft_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft | N
     draft = held_as_asked(_hanging_loose(close_as_asked(draft, claims), claims), claims)
     draft = on_straps_that_hold(bared_as_asked(draft, claims))
     draft = _standing(sleeves_as_asked(draft, claims), claims)  # what was strapless has a neck now
-    draft = slit_as_asked(boat_as_asked(_with_close_neck(draft, claims), claims), claims)
+    draft = slit_as_asked(boat_as_asked(neck_as_asked(draft, claims), claims), claims)
     if draft.name in _ON_SHOULDERS and _THIN_STRAPS in claims:
         return None
     if _BARE in claims and draft.name not in BARE_SHOULDERED:
@@ -171,6 +159,8 @@ def _darted(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     long = any(
         claim.name in ("top_hem", "length_cm", "collar", "hood") and claim != _AT_WAIST for claim in claims
     )
+    if draft.name == "tank-top" and not long and _DARTED in claims and "stretch" not in dict(draft.options):
+        return NamedDraft("fitted-top", _EASY_DARTED)
     if draft.name != "t-shirt" or long or not _FITTED <= frozenset(claims):
         return draft
     return NamedDraft("fitted-top", ())
@@ -197,7 +187,8 @@ _COLLARLESS = NamedDraft.parse(
     "cardigan(length=21;chest_ease=11;neck_depth=16;opening=0;sleeve_end=27;closed_to=8)"
 )
 _AT_WAIST = Claim("top_hem", "waist")
-_FITTED = frozenset({Claim("fit", "close"), Claim("bodice", "darted")})
+_DARTED = Claim("bodice", "darted")
+_FITTED, _EASY_DARTED = frozenset({Claim("fit", "close"), _DARTED}), (("bust_ease", 8.0), ("waist_ease", 9.0))
 _LONG_KNITTED = (("sleeve_length", 58.0), ("sleeve_end", 23.0))
 _MAY_STAND = ("drop-waist-dress", "jumpsuit", "shift-dress", "swing-dress", "fitted-dress")
 _OF_SHIRT_DRESSES = "skirt_length skirt_fraction gathers bust_ease waist_ease sleeve_shape sleeves".split()
@@ -295,34 +286,8 @@ def _collar_of_cape(claims: Sequence[Claim]) -> dict[str, str | float]:
     return {STANDING[0]: STANDING[1], "collar_height": _STANDS_CM} if _STAND in claims else {}
 
 
-def _with_v_neck(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
-    """A V that is seen for one, where nothing is said of its depth: a shallow one looks like a boat neck."""
-    said = {claim.name for claim in claims} & _DEPTHS
-    if Claim("neckline", "v") not in claims or said or draft.name not in _V_NECKED:
-        return draft
-    options = {"neckline": "v", "neck_widening": _V_WIDENING_CM, "neck_depth": _V_DEPTH_CM}
-    return replace(draft, options=tuple({**dict(draft.options), **options}.items()))
-
-
-def _with_close_neck(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
-    """A round neckline close to the neck, where a high one is asked for that is no collar."""
-    high = Claim("neck_depth", "high") in claims or Claim("neckline", "crew") in claims
-    rounded = any(claim in claims for claim in (Claim("neckline", "round"), Claim("neckline", "crew")))
-    worn = any(claim.name in ("collar", "hood") and claim.value != "none" for claim in claims)
-    rounded = rounded or not (_BARE_BACKS.isdisjoint(claims) or any(c.name == "neckline" for c in claims))
-    if draft.name not in _V_NECKED or not (high and rounded) or worn or draft.stands:
-        return draft
-    options = dict(draft.options)
-    close = _CLOSE_NECK if draft.name != _SWEATSHIRT else _CLOSE_SWEATSHIRT
-    if _BARE_BACKS.isdisjoint(claims):
-        options |= {} if draft.name in (_SWEATSHIRT, "empire-dress") else {"back_neck_depth": 2.5}
-    return replace(draft, options=tuple({**options, **close}.items()))
-
-
 _BARE_BACKS = frozenset({Claim("back_depth", "open"), Claim("back_depth", "low")})
 """A collar that stands goes all around; with these a high neck is a close round one."""
-_CLOSE_NECK = {"neck_widening": 0.5, "neck_depth": 8.5}
-_CLOSE_SWEATSHIRT = {"neck_widening": 1.0, "neck_depth": 8.5}
 
 
 def _without_sleeves(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
@@ -350,7 +315,7 @@ def _hanging_loose(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     if draft.name != "skater-dress" or waisted or not (straight or {"loose", "oversized"}.intersection(fits)):
         return draft
     sleeves = any(claim.name == "sleeves" and claim.value != "none" for claim in claims)
-    kept = {"length": float(options.get("skirt_length", _SKATER_CM)), "neck_widening": 1.5}
+    kept = {"length": float(options.get("skirt_length", _SKATER_CM)), "neck_widening": 1.0}
     if _TENT in claims:
         return NamedDraft("swing-dress", tuple({**kept, "sleeves": sleeves}.items()))
     ease = _LOOSE_DRESS_CM[fits[0] if fits else "easy"][sleeves]

@@ -62,10 +62,10 @@ _CUT_INTO_NAMED: Mapping[str, Mapping[str, _Values]] = {
 }
 """What is cut into the drafts of names besides: a "backless dress" is a plain one without a back."""
 _DRAFTS: Mapping[str, NamedDraft] = {
-    "top": NamedDraft.parse("t-shirt(neck_widening=1.5)"),
-    "tunic": NamedDraft.parse("t-shirt(length=38;chest_ease=14;neck_widening=1)"),
+    "top": NamedDraft.parse("t-shirt(neck_widening=0;neck_depth=11)"),
+    "tunic": NamedDraft.parse("t-shirt(length=38;chest_ease=14;neck_widening=0;neck_depth=11)"),
     "dress": NamedDraft.parse(
-        "skater-dress(skirt_length=62;skirt_fraction=0.4;neck_widening=2;bust_ease=8;waist_ease=6)"
+        "skater-dress(skirt_length=62;skirt_fraction=0.4;neck_widening=1.2;bust_ease=8;waist_ease=6)"
     ),
     "empire": NamedDraft.parse("empire-dress"),
     "jumpsuit": NamedDraft.parse("jumpsuit(hip_ease=7;leg_ease=22;flare=-6)"),

@@ -25,7 +25,11 @@ from swifttailor.wishes.drafts.jumpsuit_collars import with_shirt_collar
 from swifttailor.wishes.drafts.legs_by_words import ELASTIC, legs_as_said
 from swifttailor.wishes.drafts.loosened_drafts import is_to_be_loose, loosened_as_asked
 from swifttailor.wishes.drafts.low_skirts import low_as_asked
-from swifttailor.wishes.drafts.mandarin_collars import asks_for_mandarin_collar, with_mandarin_collar
+from swifttailor.wishes.drafts.mandarin_collars import (
+    as_high_as_said,
+    asks_for_mandarin_collar,
+    with_mandarin_collar,
+)
 from swifttailor.wishes.drafts.modest_necks import modest_as_asked
 from swifttailor.wishes.drafts.opened_drafts import opened_as_asked
 from swifttailor.wishes.drafts.oversized_drafts import oversized_as_asked
@@ -72,7 +76,8 @@ _CUT_AS = {"tunic": "top", "shorts": "trousers", "playsuit": "jumpsuit"}
 """Kinds that are drafted as others."""
 _STRAIGHT = Claim("skirt", "straight")
 _FULL_SKIRTS = {Claim("skirt", "flared"), Claim("skirt", "circle")}
-_WHATEVER = NamedDraft("t-shirt", (("neck_widening", 0.7), ("chest_ease", 8.0), ("waist_shaping", 1.0)))
+_WHATEVER = NamedDraft("t-shirt", (("neck_widening", -1.0), ("chest_ease", 8.0), ("waist_shaping", 1.0)))
+_SWEATSHIRT, _CREW = NamedDraft("sweatshirt"), Claim("neckline", "crew")
 _CLOSE_BODY = Claim("fit", "close")
 _CLOSE = frozenset({_CLOSE_BODY, Claim("hips", "close")})
 _TIGHT = "tight"
@@ -125,6 +130,7 @@ def drafts_of(heard: Heard) -> tuple[NamedDraft, ...]:
         fitting = [draft for draft in fitting if not _is_strapless(draft)] or fitting
     if asks_for_mandarin_collar(entries):
         fitting = [with_mandarin_collar(draft) for draft in fitting]
+    fitting = [as_high_as_said(draft, entries) for draft in fitting]
     if asks_for_sailor_collar(entries):
         fitting = [with_sailor_collar(draft) for draft in fitting]
     fitting = [legs_as_said(draft, heard.text, _elastic(heard), heard.never) for draft in fitting]
@@ -196,7 +202,7 @@ def _begun(heard: Heard, entries: Sequence[Entry], sure: Sequence[Claim]) -> lis
     named = _with_one_collar([as_not_refused(draft, heard.never) for draft in _in_detail(named, entries)])
     fitting = [draft_as_asked(armholes_as_asked(draft, heard.lacks), sure) for draft in named]
     if not named and heard.kind in (None, "top") and _tells_no_garment(heard):
-        fitting = [draft_as_asked(_WHATEVER, sure)]
+        fitting = [draft_as_asked(_SWEATSHIRT if _is_a_crewneck(sure) else _WHATEVER, sure)]
     elif not any(fitting):  # a blouse without a collar has nothing of the shirt that blouses begin from
         own = ("tunic", "top") if is_long_top(heard) else (heard.kind,)
         kinds = [(e, k) for e in entries for k in own if k in e.kinds and (named or not e.drafts)]
@@ -204,6 +210,11 @@ def _begun(heard: Heard, entries: Sequence[Entry], sure: Sequence[Claim]) -> lis
         if _says_details(heard) and not any(heard.kind in entry.kinds for entry in heard.meant):
             fitting = [draft_of_kind(heard.kind, sure)]
     return [as_not_refused(draft, heard.never) for draft in fitting if draft is not None]
+
+
+def _is_a_crewneck(sure: Sequence[Claim]) -> bool:
+    """Whether a close round neck is all that is told of a garment: such sweatshirts are called crewnecks."""
+    return _CREW in sure and not {"sleeves", "sleeve_shape", "fit"} & {claim.name for claim in sure}
 
 
 def _of_coats(named: list[NamedDraft], entries: Sequence[Entry]) -> list[NamedDraft]:

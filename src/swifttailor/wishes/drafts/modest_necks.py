@@ -12,7 +12,7 @@ from swifttailor.wording.lexicon import WordReading
 _HIGH = Claim("neck_depth", "high")
 _OF_THE_NECK = ("neckline", "neck_depth", "neck_depth_cm", "collar", "hood")
 _NECKED = ("skater-dress", "fitted-dress", "shift-dress", "empire-dress", "swing-dress", "drop-waist-dress")
-_DEEPEST_CM, _WIDEST_CM = 7.0, 1.0
+_DEEPEST_CM, _WIDEST_CM = 9.5, -1.0
 _SKIRTED, _HEMS = ("skater-dress", "fitted-dress"), ("skirt_hem", "skirt_length_cm", "length_cm")
 _BELOW_KNEE = Claim("skirt_hem", "below the knee")
 _SHORTEST_CM = 71.0

@@ -32,7 +32,7 @@ TRIMS_OF: Mapping[str, tuple[str, ...]] = {
     "zip": _ZIPS,
     "belt": _BELTS,
     "belt_accessory": _BELTS,
-    "drawstring": ("drawstring", "neck cord"),
+    "drawstring": ("drawstring", "neck cord", "neck gathers"),
     "elastic": ("elastic waist", "back elastic"),
     "turn_ups": ("turn-ups",),
     "rolled_sleeves": ("sleeve turn-ups",),

@@ -69,9 +69,10 @@ class SweatshirtOptions(BandedOptions):
     """Options of the sweatshirt."""
 
     neckline: Annotated[Literal["round", "v"], Option("Shape of the front neckline.")] = "round"
+    neck_widening: declared.HighNeckWidening = -1.2
     neck_depth: Annotated[
         float, Option("Fall of the front neckline below the neck-shoulder point.", "cm", 7.0, 24.0)
-    ] = 9.5
+    ] = 9.8
     collar: Annotated[
         Literal["none", "standing", "rolled"],
         Option("Collar: one that stands on a close neck, or is turned down over itself."),

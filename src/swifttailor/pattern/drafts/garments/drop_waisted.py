@@ -39,8 +39,8 @@ class DropWaistDressOptions:
     skirt_flare: Annotated[float, Option("Extra width of the hem, all around.", "cm", 0.0, 80.0)] = 20.0
     hem_band: declared.HemBand = 0.0
     neckline: declared.NeckShapeOption = "round"
-    neck_widening: declared.NeckWidening = 2.5
-    neck_depth: declared.NeckDepth = 11.0
+    neck_widening: declared.NeckWidening = 1.5
+    neck_depth: declared.NeckDepth = 11.5
     back_neck_depth: declared.BackNeckDepth = 3.0
     armhole_drop: declared.ArmholeDrop = 2.0
     sleeves: declared.Sleeves = False

@@ -57,8 +57,8 @@ class CloseDressOptions(SetInSleeveOptions):
     skirt_length: declared.SkirtLength = 60.0
     skirt_flare: declared.SkirtFlare = 2.0
     neckline: declared.NeckShapeOption = "round"
-    neck_widening: declared.NeckWidening = 3.0
-    neck_depth: declared.NeckDepth = 11.0
+    neck_widening: declared.NeckWidening = 1.5
+    neck_depth: declared.PlungingNeckDepth = 12.0
     back_neck_depth: declared.BareBackDepth = 4.0
     shoulder_inset: Annotated[
         float, Option("How far the armhole lies inside the shoulder tip.", "cm", 0.0, 5.0)
@@ -202,8 +202,8 @@ class SleevedBodiceOptions(SetInSleeveOptions):
     bust_ease: declared.BustEase = 5.0
     waist_ease: declared.WaistEase = 3.5
     neckline: declared.NeckShapeOption = "round"
-    neck_widening: declared.NeckWidening = 3.0
-    neck_depth: declared.NeckDepth = 11.0
+    neck_widening: declared.NeckWidening = 1.5
+    neck_depth: declared.PlungingNeckDepth = 12.0
     back_neck_depth: declared.BareBackDepth = 4.0
     armhole_drop: declared.ArmholeDrop = 2.0
     stretch: declared.ClothStretch = 0.0
@@ -293,8 +293,8 @@ class JumpsuitOptions(SleevedBodiceOptions):
     bust_ease: declared.BustEase = 7.0
     waist_ease: declared.WaistEase = 6.0
     neckline: declared.NeckShapeOption = "v"
-    neck_widening: declared.NeckWidening = 2.5
-    neck_depth: declared.NeckDepth = 14.0
+    neck_widening: declared.NeckWidening = 1.5
+    neck_depth: declared.PlungingNeckDepth = 15.0
     armhole_drop: declared.ArmholeDrop = 2.5
     hip_ease: declared.HipEase = 6.0
     length: declared.TrouserLength = 100.0

@@ -222,8 +222,8 @@ class SwingDressOptions:
     chest_ease: declared.BustEase = 7.0
     flare: Annotated[float, Option("Extra width of the hem, all around.", "cm", 20.0, 130.0)] = 90.0
     neckline: declared.NeckShapeOption = "round"
-    neck_widening: declared.NeckWidening = 3.0
-    neck_depth: declared.NeckDepth = 11.0
+    neck_widening: declared.NeckWidening = 1.5
+    neck_depth: declared.NeckDepth = 11.5
     back_neck_depth: declared.BackNeckDepth = 4.0
     armhole_drop: declared.ArmholeDrop = 2.0
     sleeves: declared.Sleeves = False
@@ -249,9 +249,9 @@ class ShiftDressOptions:
     chest_ease: declared.ChestEase = 8.0
     flare: declared.HemFlare = 4.0
     neckline: declared.NeckShapeOption = "round"
-    neck_widening: declared.NeckWidening = 2.5
-    neck_depth: declared.NeckDepth = 10.5
-    back_neck_depth: declared.BackNeckDepth = 3.0
+    neck_widening: declared.NeckWidening = 1.0
+    neck_depth: declared.NeckDepth = 11.0
+    back_neck_depth: declared.BareBackDepth = 3.0
     armhole_drop: declared.ArmholeDrop = 2.0
     shoulder_extension: declared.ShoulderExtension = 0.0
     sleeves: declared.Sleeves = False

@@ -46,9 +46,9 @@ class TShirtOptions:
     chest_ease: declared.ChestEase = 10.0
     flare: declared.HemFlare = 0.0
     neckline: declared.NeckShapeOption = "round"
-    neck_widening: declared.NeckWidening = 1.5
-    neck_depth: declared.NeckDepth = 9.5
-    back_neck_depth: declared.BackNeckDepth = 2.5
+    neck_widening: declared.NeckWidening = -0.8
+    neck_depth: declared.NeckDepth = 9.8
+    back_neck_depth: declared.BareBackDepth = 2.5
     armhole_drop: declared.ArmholeDrop = 2.5
     shoulder_extension: declared.ShoulderExtension = 0.0
     sleeve_length: declared.SleeveLength = 22.0
