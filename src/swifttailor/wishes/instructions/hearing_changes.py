@@ -62,7 +62,7 @@ from swifttailor.wishes.text.mentions import find_mentions
 from swifttailor.wishes.text.spoken_measures import is_of_another, spoken_measures
 from swifttailor.wishes.text.text_as_read import ENGLISH, lacks_of, text_as_read
 from swifttailor.wishes.text.unread import not_understood, says_nothing_else, unread_numbers
-from swifttailor.wishes.trims.trims_wanted import speaks_of_trims_alone
+from swifttailor.wishes.trims.trims_spoken_of import speaks_of_trims_alone
 from swifttailor.wording.lexicon import SURENESS, WordMark, WordReading, exclude, glossed_change, read_words
 
 SURE_IN_KNOWN_WORDS = 0.7

@@ -16,7 +16,6 @@ from swifttailor.wishes.trims.trims_by_place import is_elastic_behind, trims_by_
 
 if TYPE_CHECKING:
     from swifttailor.wishes.heard import Heard
-    from swifttailor.wording import WordReading
 
 _POCKETS = tuple(name for name in TRIMS if "pocket" in name)
 _BUTTONS = tuple(name for name in LIKE_EACH_OTHER[0] if "zip" not in name and name != "toggles")
@@ -291,33 +290,6 @@ def _is_worn_beside(heard: Heard, what: str) -> bool:
     marks = () if heard.words is None else heard.words.marks
     named = [entry for mark in marks if not mark.denied for entry in mark.entries]
     return any(draft.name == what for entry in named for draft in entry.drafts)
-
-
-def refused_trims(heard: Heard) -> frozenset[str]:
-    """Trims that a text does not want: "without pockets"."""
-    if heard.words is None:
-        return frozenset()
-    found: set[str] = set()
-    for mark in heard.words.marks:
-        for entry in mark.entries if mark.denied else ():
-            if entry.category == _DETAILS or mark.word.lower() in TRIMS:  # not those of jeans: "no jeans"
-                found |= set(entry.trims) or {name for key in entry.cannot for name in TRIMS_OF.get(key, ())}
-    return frozenset(found)
-
-
-def speaks_of_trims_alone(words: WordReading) -> bool:
-    """Whether a text speaks of nothing else that garments have: "remove the kangaroo pocket".
-
-    A network that has never heard of them guesses what else may be meant.
-    """
-    told = [
-        entry
-        for mark in words.marks
-        for entry in mark.entries
-        if entry.category not in ("function", "negations")
-    ]
-    of_trims = all(e.category == _DETAILS and any(what in TRIMS_OF for what in e.cannot) for e in told)
-    return bool(told) and of_trims and all(mark.entries for mark in words.marks)
 
 
 def _named(heard: Heard) -> tuple[str, ...]:
