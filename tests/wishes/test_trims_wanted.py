@@ -13,7 +13,8 @@ from swifttailor.wishes.corrections.closed_behind import without_opposites
 from swifttailor.wishes.heard import Heard
 from swifttailor.wishes.reader import Wish
 from swifttailor.wishes.trims.three_stripes import THREE
-from swifttailor.wishes.trims.trims_wanted import TRIMS_OF, refused_trims, speaks_of_trims_alone, trims_wanted
+from swifttailor.wishes.trims.trims_spoken_of import refused_trims, speaks_of_trims_alone
+from swifttailor.wishes.trims.trims_wanted import TRIMS_OF, trims_wanted
 from swifttailor.wording import cannot_texts, read_words
 from swifttailor.wording.lexicon import all_entries
 
