@@ -188,4 +188,4 @@ def _covers(claim: Claim) -> bool:
     """Whether what has this has shoulders: sleeves, a neckline between them, a collar."""
     if claim.name in ("sleeves", "left_sleeve", "right_sleeve", "collar", "hood"):
         return claim.value != "none"
-    return claim.name == "neckline" or claim == Claim("shoulders", "both")
+    return claim.name in ("neckline", "sleeve_shape") or claim == Claim("shoulders", "both")
