@@ -83,7 +83,7 @@ def _crossings(mesh, vertices):
 
 @pytest.fixture(scope="module")
 def shirt(sewer):
-    return sewer.sew(draft("t-shirt"), edge_length=3.0)
+    return sewer.sew(draft("t-shirt", neck_widening=1.5), edge_length=3.0)
 
 
 @pytest.fixture(scope="module")

@@ -19,15 +19,17 @@ from swifttailor.wishes.trims.trims_wanted import TRIMS_OF
 from swifttailor.wording import cannot_texts
 
 KNOWN = {"skirt": draft("fitted-skirt"), "shirt": draft("t-shirt"), "trousers": draft("trousers")}
-JEANS = {"fly", "slant pockets", "back pockets"}
+DENIM = {"topstitching", "belt loops"}
+JEANS = {"fly", "slant pockets", "back pockets", *DENIM}
+JACKET = {"buttons", "chest pockets", "topstitching", "denim seams"}
 COAT = {"buttons", "side pockets"}
 ASKED = {
     # English
     "jeans": JEANS,
-    "jeans without pockets": {"fly"},
-    "jeans without back pockets": {"fly", "slant pockets"},
-    "jeans without pockets and without a fly": set(),
-    "jeans with cargo pockets": {"fly", "cargo pockets"},
+    "jeans without pockets": {"fly", *DENIM},
+    "jeans without back pockets": {"fly", "slant pockets", *DENIM},
+    "jeans without pockets and without a fly": DENIM,
+    "jeans with cargo pockets": {"fly", "cargo pockets", *DENIM},
     "a shirt": {"button placket"},
     "a shirt without buttons": set(),
     "a shirt, no pockets, no buttons": set(),
@@ -37,9 +39,9 @@ ASKED = {
     "a hoodie": {"kangaroo pocket", "neck cord"},
     "a hoodie without a pocket": {"neck cord"},
     "a hoodie with a zip": {"kangaroo pocket", "zip", "neck cord"},
-    "a denim jacket": {"buttons", "chest pockets"},
+    "a denim jacket": JACKET,
     "a double-breasted coat": {"double-breasted buttons", "welt pockets"},
-    "a trench coat": {"double-breasted buttons", "side pockets", "tie belt"},
+    "a trench coat": {"double-breasted buttons", "side pockets", "tie belt", "epaulettes", "storm flap"},
     "a coat with a belt": {*COAT, "tie belt"},
     "a double breasted blazer": {"double-breasted buttons", "welt pockets"},
     "cargo trousers": {"cargo pockets", "slant pockets"},
@@ -52,7 +54,7 @@ ASKED = {
     "a dress with pockets and without a back zip": {"slant pockets"},
     "a shirt dress with a belt": {"button placket", "tie belt"},
     "a bathrobe": {"tie belt"},
-    "dungarees": {"bib pocket", "slant pockets"},
+    "dungarees": {"bib pocket", "slant pockets", "strap buckles", "topstitching"},
     "a skirt with patch pockets": {"patch pockets"},
     "a t-shirt with a breast pocket": {"chest pocket", "neck rib"},
     "a plain t-shirt": {"neck rib"},
@@ -62,37 +64,37 @@ ASKED = {
     "a skirt with a ruffled hem": {"hem frill"},
     "a cardigan with buttons": {"buttons", "patch pockets"},
     # German
-    "eine Jeans ohne Taschen": {"fly"},
+    "eine Jeans ohne Taschen": {"fly", *DENIM},
     "ein Hemd mit Knöpfen": {"button placket"},
     "ein Rock mit Reißverschluss": {"side zip"},
     "ein Kleid mit Taschen und Gürtel": {"slant pockets", "tie belt"},
     "ein Mantel mit Gürtel": {*COAT, "tie belt"},
     # French
-    "un jean sans poches": {"fly"},
+    "un jean sans poches": {"fly", *DENIM},
     "une robe avec des poches": {"slant pockets"},
     "une chemise avec des boutons": {"button placket"},
     "un manteau avec une ceinture": {*COAT, "tie belt"},
     # Spanish
-    "unos vaqueros sin bolsillos": {"fly"},
+    "unos vaqueros sin bolsillos": {"fly", *DENIM},
     "un vestido con bolsillos": {"slant pockets"},
     "una camisa con botones": {"button placket"},
     "un abrigo con cinturón": {*COAT, "tie belt"},
 }
 EDITS = [
     ("jeans", "add pockets", JEANS),
-    ("jeans", "remove the pockets", {"fly"}),
-    ("jeans", "the pockets can go", {"fly"}),
-    ("jeans", "take off the back pockets", {"fly", "slant pockets"}),
+    ("jeans", "remove the pockets", {"fly", *DENIM}),
+    ("jeans", "the pockets can go", {"fly", *DENIM}),
+    ("jeans", "take off the back pockets", {"fly", "slant pockets", *DENIM}),
     ("jeans", "add a belt", {*JEANS, "buckle belt"}),
     ("cargo trousers", "remove the cargo pockets", {"slant pockets"}),
-    ("a skirt", "add pockets", {"slant pockets"}),
+    ("a skirt", "add pockets", {"patch pockets"}),
     ("a shirt", "remove the buttons", set()),
     ("a shirt", "remove the placket", set()),
     ("a shirt", "swap the buttons for a zip", {"zip"}),
     ("a shirt", "replace the buttons with a zip", {"zip"}),
     ("a shirt", "change the buttons to a zip", {"zip"}),
     ("a shirt", "add a chest pocket", {"button placket", "chest pocket"}),
-    ("a denim jacket", "add buttons", {"buttons", "chest pockets"}),
+    ("a denim jacket", "add buttons", JACKET),
     ("a coat with a belt", "remove the belt", COAT),
     ("a coat with a belt", "make it double-breasted",
      {"double-breasted buttons", "side pockets", "tie belt"}),
@@ -100,10 +102,10 @@ EDITS = [
     ("a hoodie", "remove the kangaroo pocket", {"neck cord"}),
     ("joggers with a drawstring", "replace the drawstring with a buckle belt",
      {"buckle belt", "elastic waist", "slant pockets", "back pockets"}),
-    ("jeans", "ohne Taschen", {"fly"}),
+    ("jeans", "ohne Taschen", {"fly", *DENIM}),
     ("ein Kleid", "mit Taschen", {"slant pockets"}),
     ("une robe", "ajoute des poches", {"slant pockets"}),
-    ("una falda", "añade bolsillos", {"slant pockets"}),
+    ("una falda", "añade bolsillos", {"patch pockets"}),
 ]  # fmt: skip
 
 

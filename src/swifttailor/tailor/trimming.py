@@ -39,7 +39,8 @@ def trimmed(answer: Answer) -> Answer:
     facts = None if edit is None or not wanted.heard.lacks else facts_of(edit)
     kind = "" if facts is None else named_kind(facts)
     own = () if edit is None else edit.trims
-    trims, said, heard = _put_on(answer.pattern, wanted.heard, answer.draft, kind, own)
+    anew = edit is None
+    trims, said, heard = _put_on(answer.pattern, wanted.heard, answer.draft, kind, own, anew=anew)
     before = answer.pattern.trims if edit is None else own
     count = _count(trims, wanted.heard.text, answer, own)
     counted = count != answer.pattern.button_count
@@ -48,8 +49,8 @@ def trimmed(answer: Answer) -> Answer:
     put_on = tuple([name for name in trims if name not in before])
     taken_off = tuple([name for name in before if name not in trims])
     # Of an edit a stated number of buttons that were there already is what was put on.
-    anew = tuple([name for name in trims if name in COUNTED and name in before]) if counted and edit else ()
-    put_on = (*put_on, *anew)
+    counts = tuple([name for name in trims if name in COUNTED and name in before]) if counted and edit else ()
+    put_on = (*put_on, *counts)
     pattern = replace(answer.pattern, trims=trims, button_count=count)
     wanted = replace(wanted, heard=heard)
     meant = tuple([name for name in put_on if name not in said])
@@ -91,7 +92,7 @@ def _go_together(names: Sequence[str]) -> bool:
 
 
 def _put_on(
-    pattern: Pattern, heard: Heard, draft: str, kind: str, own: tuple[str, ...]
+    pattern: Pattern, heard: Heard, draft: str, kind: str, own: tuple[str, ...], *, anew: bool
 ) -> tuple[tuple[str, ...], set[str], Heard]:
     """The trims, those of them that the text says, and what it still lacks."""
     refused = refused_trims(heard)
@@ -99,7 +100,7 @@ def _put_on(
     new: list[str] = []
     made = set()
     said = set[str]()
-    for wish in sorted(trims_wanted(heard, draft, kind), key=lambda wish: not wish.said):
+    for wish in sorted(trims_wanted(heard, draft, kind, anew=anew), key=lambda wish: not wish.said):
         has = any(name in trims for name in TRIMS_OF[wish.what])
         if has and not wish.named and wish.what != "pockets":
             made.add(wish.what)

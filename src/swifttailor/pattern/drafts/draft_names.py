@@ -122,7 +122,8 @@ class NamedDraft:
         legs = (*(_OF_BLOUSING if blousing else ()), *ends, *bowed)
         long = self.name in _LONG_TOPS and float(options.get("length", 0.0)) >= LONG_TOP_CM
         legs = (*legs, *self._tiers_to_the_eye, *(_OF_LONG_TOPS if long else ()))
-        shown = (_OF_STANDS if stands else (), slits, falls, bib, broad, high, wings, hem, legs)
+        tall = _OF_TALL if stands and float(dict(self.options).get("collar_height", 0.0)) > _TALL_CM else ()
+        shown = (_OF_STANDS if stands else (), tall, slits, falls, bib, broad, high, wings, hem, legs)
         are = _HALTER if options.get("halter") else DRAFTS_ARE.get(self.name, ())
         return (*are, *[claim for claims in shown for claim in claims])
 
@@ -199,7 +200,9 @@ ROOMY_CM = 7.0
 """With so much room on top of the hips drafts look loose there; with more, they stand off at the sides."""
 A_LINE_CM = 12.0
 """Shift dresses with hems so much wider than straight ones are A-line."""
-_OF_STANDS = (("neck_depth", "high"), ("collar", "stand"))
+_OF_STANDS, _OF_TALL = (("neck_depth", "high"),), (("collar", "stand"),)
+_TALL_CM = 6.0
+"""Collars that stand higher are measured as turtlenecks."""
 _OF_FLARE, _OF_NO_FLARE = (("skirt", "a-line"),), (("skirt", "straight"),)
 _OF_DIPS = (
     ("hem_shape", "high-low"),

@@ -172,13 +172,14 @@ class TrimWish:
     """Whether the text says which: cargo pockets, and not pockets."""
 
 
-def trims_wanted(heard: Heard, draft: str = "", kind: str = "") -> tuple[TrimWish, ...]:
+def trims_wanted(heard: Heard, draft: str = "", kind: str = "", *, anew: bool = True) -> tuple[TrimWish, ...]:
     """What may be put on a garment, in the order of the text.
 
     Args:
         heard: What the text asks for.
         draft: Name of the draft that the garment is cut from; empty where it is cut from none.
         kind: Of the garment, where the text does not name it.
+        anew: Whether the garment is made, and not one that is there changed: that gets no stitches unasked.
     """
     named = _named(heard)
     kind = heard.kind or kind
@@ -234,7 +235,7 @@ def trims_wanted(heard: Heard, draft: str = "", kind: str = "") -> tuple[TrimWis
         found.append(TrimWish("buttons", False, (*pocketed, ("buttons",))))
     own = (*named, *_of_garment(heard))
     taken = {wish.what for wish in found}
-    for what, names in loops_and_stitches(kind, draft, cloth=heard.cloth, own=own):
+    for what, names in loops_and_stitches(kind, draft, cloth=heard.cloth, own=own) if anew else ():
         if what not in taken:
             found.append(TrimWish(what, False, tuple([(name,) for name in names])))
     return tuple(found)
