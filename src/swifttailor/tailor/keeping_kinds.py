@@ -11,8 +11,7 @@ from swifttailor.tailor.answer import Answer
 
 OF_NO_OTHER_SOURCE = frozenset(
     {"blazer", "coat", "hooded-coat", "cape", "poncho", "robe", "kaftan", "cardigan", "hoodie", "sweatshirt"}
-    | {"bomber-jacket", "denim-jacket", "waistcoat", "dungarees", "pinafore", "apron", "shirt", "polo-shirt"}
-    | {"shirt-dress", "wrap-dress", "wrap-top", "wrap-skirt", "jeans", "leggings", "joggers"}
+    | {"bomber-jacket", "denim-jacket", "waistcoat", "dungarees", "pinafore", "apron"}
 )
 """Drafts whose openings, collars and bands make them the garment that they are."""
 DETAILS = frozenset(

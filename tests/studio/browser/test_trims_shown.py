@@ -27,7 +27,7 @@ def test_trims_are_drawn_marked_told_and_changed_in_words(studio_page, shot):
     assert not looks(studio_page) and not marked(studio_page)
     studio_page.describe("a blue denim jacket")
     assert looks(studio_page) == {"button", "cloth", "dark"}
-    assert marked(studio_page) == {"buttons", "chest pockets"}
+    assert marked(studio_page) == {"buttons", "chest pockets", "topstitching", "denim seams"}
     assert "two breast pockets with flaps" in page.get_by_role("region", name="Assumed").inner_text()
     shot(page, "trims")
 
@@ -45,12 +45,12 @@ def test_trims_are_drawn_marked_told_and_changed_in_words(studio_page, shot):
     studio_page.button("Change").click()
     studio_page.wait_for_another_mesh(before)
     studio_page.wait_for_work()
-    assert marked(studio_page) == {"zip"}
+    assert marked(studio_page) == {"zip", "topstitching", "denim seams"}
     changed = page.get_by_role("status").filter(has_text="What changed").inner_text()
     assert "put on: a zip down the front" in changed and "two breast pockets" in changed
     studio_page.button("Undo").click()
     page.locator('.pattern-sheet .trims [data-trim="chest pockets"]').first.wait_for()
-    assert marked(studio_page) == {"buttons", "chest pockets"}
+    assert marked(studio_page) == {"buttons", "chest pockets", "topstitching", "denim seams"}
 
 
 def test_trims_are_hidden_while_physics_moves_the_cloth(studio_page):
