@@ -347,11 +347,8 @@ def _outdone(each: Implication, better: Implication) -> bool:
 
 def _with_kind(kept: list[Implication], never: Sequence[Claim]) -> list[Implication]:
     """Adds the kind where details alone tell it: what has sleeves and a skirt is a dress."""
-    said = [
-        i
-        for i in kept
-        if i.said and i.certainty != "likely" and i.claim.name != "kind" and not _is_of_cloth(i.mark)
-    ]
+    firm = [i for i in kept if i.said and i.certainty != "likely" and i.claim.name != "kind"]
+    said = [i for i in firm if not any(e.category == "fabrics" for e in i.mark.entries)]  # lycra is close
     named = next((i for i in kept if i.claim.name == "kind"), None)
     if named is not None:  # "a skirt, no darts" is a skirt
         said = [i for i in said if not i.mark.denied and i.claim.name != "bodice"]
@@ -366,11 +363,6 @@ def _with_kind(kept: list[Implication], never: Sequence[Claim]) -> list[Implicat
         return kept
     source = next(i.mark for i in said) if named is None else named.mark
     return [*[i for i in kept if i is not named], Implication(Claim("kind", kind), "usual", False, source)]
-
-
-def _is_of_cloth(mark: WordMark) -> bool:
-    """Whether a word names a fabric: leggings of something stretchy are close, and no jumpsuit."""
-    return bool(mark.entries) and mark.entries[0].category == "fabrics"
 
 
 def _fitting_kind(kept: Sequence[Implication], kind: str | None) -> list[Implication]:
