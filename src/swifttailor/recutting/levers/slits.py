@@ -17,7 +17,7 @@ from swifttailor.recutting.ways.slits import close_slits, open_middle, open_side
 
 _PLACES: tuple[Place, ...] = ("left", "right", "back", "front")
 _WORDS: dict[Place, str] = {"left": "left", "right": "right", "back": "behind", "front": "in front"}
-_WEDGE_CM = 12.0
+_WEDGE_CM, _MOST_JOINTS = 12.0, 6
 LEAST_SLIT_CM = 3.0
 """Shorter ones are not opened again."""
 _SHORTEST_CM, _CROTCH_CM = 6.0, 38.0
@@ -46,7 +46,10 @@ def closed(cutter: Cutter, place: Place | None = None) -> Pattern | None:
     Of a seam with joints what is open below one meets only once what is above it is closed.
     """
     shut = None
-    while sides := slit_sides(cutter, place):
+    for _ in range(_MOST_JOINTS):
+        sides = slit_sides(cutter, place)
+        if not sides:
+            break
         shut = close_slits(cutter.pattern, sides)
         steep = len(cutter.anatomy.hem.edges) - len(cutter.hem) if cutter.anatomy.hem else 0
         if steep <= 2 * len(sides):

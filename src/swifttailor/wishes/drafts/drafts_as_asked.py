@@ -24,6 +24,7 @@ from swifttailor.wishes.drafts.close_drafts import close_as_asked
 from swifttailor.wishes.drafts.cropped_drafts import cropped_as_asked
 from swifttailor.wishes.drafts.held_drafts import held_as_asked, on_straps_that_hold
 from swifttailor.wishes.drafts.hooded_drafts import hooded_as_asked
+from swifttailor.wishes.drafts.knitted_drafts import without_bands_as_asked
 from swifttailor.wishes.drafts.legged_drafts import legs_as_asked
 from swifttailor.wishes.drafts.necks_as_asked import neck_as_asked
 from swifttailor.wishes.drafts.skirted_coats import skirted_as_asked
@@ -115,7 +116,7 @@ def draft_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft | N
     """
     draft = _as_another(_darted(cropped_as_asked(skirted_as_asked(draft, claims), claims), claims), claims)
     draft = neck_as_asked(_with_hood(_worn_over(draft, claims), claims), claims)
-    draft = with_side_slits(draft, claims)
+    draft = with_side_slits(without_bands_as_asked(draft, claims), claims)
     if draft.name in _BIBBED and Claim("straps", "wide") in claims:
         draft = replace(draft, options=(*draft.options, (STRAP_WIDTH, _WIDE_STRAP_CM)))
     legged = legs_as_asked(draft, claims)

@@ -13,12 +13,11 @@ _USUAL_CM, _HIGH_CM = 14.0, 30.0
 _SHORTEST_CM, _LONGEST_CM = 4.0, 40.0
 """Figures beyond these are not drafted in side seams."""
 _SIDES = (Claim("slit", "left"), Claim("slit", "right"))
-_HAS_SIDE_SEAMS = (
-    *("t-shirt", "tank-top", "turtleneck", "shift-dress", "hooded-coat", "shirt", "polo-shirt", "kaftan"),
+_HAVE_SIDE_SEAMS = frozenset(
+    {"t-shirt", "tank-top", "turtleneck", "shift-dress", "hooded-coat", "shirt", "polo-shirt", "kaftan"}
 )
-_SWEATSHIRT, _SHORT = "sweatshirt", ("cap", "short", "elbow")
-_KNITTED = NamedDraft.parse("t-shirt(length=26;chest_ease=16;sleeve_length=60;sleeve_end=24;arm_ease=9)")
-"""No ribbed band goes around an open hem, nor around a wide sleeve."""
+_KAFTAN = "kaftan"
+"""So long that lower slits than high ones are not seen."""
 SLIT_SKIRT_CM, _FLARE = 72.0, 4.0
 _GOWN_CM = 88.0
 _OF_GOWNS = (
@@ -35,28 +34,30 @@ def is_slit(claims: Sequence[Claim]) -> bool:
     return any(claim.name == "slit" and claim.value != "none" for claim in claims)
 
 
-def side_slits_cm(claims: Sequence[Claim]) -> float:
+def side_slits_cm(claims: Sequence[Claim], *, usual: float = _USUAL_CM) -> float:
     """How long slits in the side seams of what hangs from the shoulders are, cm: as told, if at all."""
     told = [float(claim.value) for claim in claims if claim.name == "slit_cm"]
     if told and _SHORTEST_CM <= told[0] <= _LONGEST_CM:
         return told[0]
-    return _HIGH_CM if _HIGH in claims else _USUAL_CM
+    return _HIGH_CM if _HIGH in claims else usual
+
+
+def slit_at_both_sides(claims: Sequence[Claim]) -> bool:
+    """Whether both side seams are to be open."""
+    return all(slit in claims for slit in _SIDES)
 
 
 def with_side_slits(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
-    """A draft with its side seams open where both are to be, jumpers as knitted tops without bands.
+    """A draft with its side seams open where both are to be; one that has such slits by its name keeps these.
 
     Args:
         draft: As it goes with what else is asked for.
         claims: What is asked for, all of it.
     """
-    both = SIDE_SLITS not in dict(draft.options) and all(slit in claims for slit in _SIDES)
-    if draft.name == _SWEATSHIRT and (both or any(Claim("sleeves", length) in claims for length in _SHORT)):
-        draft = _KNITTED
-    if draft.name not in _HAS_SIDE_SEAMS or not both:
+    opens = draft.name in _HAVE_SIDE_SEAMS and SIDE_SLITS not in dict(draft.options)
+    if not opens or not slit_at_both_sides(claims):
         return draft
-    length = side_slits_cm(claims)
-    length = max(length, _HIGH_CM) if draft.name == "kaftan" and not _is_told(claims) else length
+    length = side_slits_cm(claims, usual=_HIGH_CM if draft.name == _KAFTAN else _USUAL_CM)
     return replace(draft, options=(*draft.options, (SIDE_SLITS, length)))
 
 
@@ -79,7 +80,3 @@ def close_for_a_slit(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     ends = [str(claim.value) for claim in claims if claim.name == "skirt_hem"]
     length = next((_ENDS[end] for end in ends if end in _ENDS), SLIT_SKIRT_CM)
     return NamedDraft("fitted-dress", (("skirt_length", length),))
-
-
-def _is_told(claims: Sequence[Claim]) -> bool:
-    return any(claim.name == "slit_cm" for claim in claims)

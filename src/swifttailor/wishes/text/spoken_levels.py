@@ -74,7 +74,7 @@ _HEMS = {
 """The claim about the hem of a kind, and its values by the level."""
 _WHOLE_PARTS = frozenset({"skirt", "legs", "hem", "length"})
 """Parts that end where the garment does."""
-_PASSED_OVER = frozenset({"function", "colors", "fabrics", "prints", "numbers", "sizes", "persons"})
+_PASSED_OVER = frozenset({"function", "colors", "fabrics", "prints", "numbers", "sizes", "shades", "polite"})
 """Categories of words that may stand between what ends and where it ends."""
 _OPENS = re.compile(r"(?:^|[,;.:\n(]|(?<!\w)(?:and|but|or|which|that|one|it))\s*$", re.IGNORECASE)
 _SPEAKS_OF_ARMS = re.compile(r"(?<!\w)(?:sleeves?|arms?)(?!\w)", re.IGNORECASE)
