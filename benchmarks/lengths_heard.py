@@ -2,8 +2,8 @@
 
 python benchmarks/lengths_heard.py [--misses]
 
-Each of some garments is said to end at each level of the body that makes sense for it, in every phrasing, with
-every article; sleeves likewise. So holes are found where nobody has happened to write.
+Each of some garments is said to end at each level of the body that makes sense for it, in every phrasing,
+with every article; sleeves likewise. So holes are found where nobody has happened to write.
 """
 
 from __future__ import annotations

@@ -9,6 +9,7 @@ import numpy as np
 from swifttailor.pattern.trims.chalk import Chalk
 from swifttailor.pattern.trims.shapes import Patch, Trim
 from swifttailor.pattern.trims.side_stripes import top_seams
+from swifttailor.pattern.trims.sleeve_frames import into_cloth, seam_from_the_top
 
 _BACK = re.compile(r"(left|right)_sleeve_b$")
 _ELBOW, _HALF_HEIGHT, _HALF_WIDTH = 34.0, 8.5, 5.5
@@ -27,17 +28,14 @@ def elbow_patches(chalk: Chalk, name: str) -> list[Trim]:
         if ref is None:
             return []
         panel = chalk.pattern.panel(ref.panel)
-        seam = panel.sample_edge(ref.edge, 41)
-        world = panel.to_world(seam)
-        seam = seam if world[0, 1] > world[-1, 1] else seam[::-1]
+        seam = seam_from_the_top(panel, ref)
         way = seam[-1] - seam[0]
         length = float(np.linalg.norm(way))
         if length < _LEAST * s:
             return []
         along = way / length
-        across = np.array([-along[1], along[0]])
         outline = panel.outline(0.05)
-        across = across if (outline.mean(axis=0) - seam.mean(axis=0)) @ across > 0 else -across
+        across = into_cloth(along, seam, outline)
         at = seam[0] + _ELBOW * s * along
         cloth = shapely.Polygon(outline)
         crossed = cloth.intersection(shapely.LineString([at - 60 * across, at + 60 * across]))

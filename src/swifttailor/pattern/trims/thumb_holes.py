@@ -9,6 +9,7 @@ import numpy as np
 from swifttailor.pattern.trims.chalk import Chalk
 from swifttailor.pattern.trims.shapes import Patch, Trim
 from swifttailor.pattern.trims.side_stripes import top_seams
+from swifttailor.pattern.trims.sleeve_frames import into_cloth, seam_from_the_top
 
 _FRONT = re.compile(r"(left|right)_sleeve_f$")
 _HALF, _WIDE, _ABOVE, _BESIDE = 2.1, 0.75, 4.2, 2.2
@@ -30,17 +31,14 @@ def thumb_holes(chalk: Chalk, name: str) -> list[Trim]:
         if ref is None:
             return []
         panel = chalk.pattern.panel(ref.panel)
-        seam = panel.sample_edge(ref.edge, 41)
-        world = panel.to_world(seam)
-        seam = seam if world[0, 1] > world[-1, 1] else seam[::-1]
+        seam = seam_from_the_top(panel, ref)
         lengths = np.linalg.norm(np.diff(seam, axis=0), axis=1)
         if float(lengths.sum()) < _LEAST * s:
             return []
         along = seam[-1] - seam[-6]
         along = along / np.linalg.norm(along)
-        across = np.array([-along[1], along[0]])
         outline = panel.outline(0.05)
-        across = across if (outline.mean(axis=0) - seam.mean(axis=0)) @ across > 0 else -across
+        across = into_cloth(along, seam, outline)
         middle = seam[-1] - _ABOVE * s * along + _BESIDE * s * across
         turn = np.linspace(0.0, np.pi, _POINTS)
         cloth = shapely.Polygon(outline)
