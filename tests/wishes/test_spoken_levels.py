@@ -11,7 +11,7 @@ from swifttailor.wording.lexicon import read_words
 def heard(text: str) -> dict[str, object]:
     words = read_words(text)
     kind = next((str(i.claim.value) for i in words.implications if i.claim.name == "kind"), None)
-    return {claim.name: claim.value for claim in spoken_levels(text, words, kind)}
+    return {claim.name: claim.value for claim in spoken_levels(text, words, kind).claims}
 
 
 @pytest.mark.parametrize(
@@ -57,3 +57,9 @@ def test_what_is_said_of_something_else_is_not(text):
 
 def test_what_the_lexicon_has_is_left_to_it():
     assert heard("a dress to the knee") == {}
+
+
+def test_where_it_is_said_is_told():
+    text = "a sundress that stops at my ankles"
+    found = spoken_levels(text, read_words(text), "dress")
+    assert [text[start:end] for start, end in found.spans] == ["stops at my ankles"]

@@ -132,7 +132,8 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
     said += sides.claims
     said += (bounds := spoken_bounds(text, words, named))
     known = {claim.name for claim in said}
-    said += [claim for claim in spoken_levels(text, words, named) if claim.name not in known]
+    levels = spoken_levels(text, words, named)
+    said += [claim for claim in levels.claims if claim.name not in known]
     slit = spoken_slit(text, words)
     if slit is not None and (named is None or fits_kind(slit.name, named)):
         said.append(slit)
@@ -199,7 +200,7 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
         never,
         [m.mention.end for m in measures],
         compared=hem is not None or bool(bounds),
-        told=[*sides.spans, *spans_of_looks(text, words)],
+        told=[*sides.spans, *levels.spans, *spans_of_looks(text, words)],
     )
     return Heard(text, sure, likely, never, (*unread, *silent), lacks_of(words, changes, measures), words)
 

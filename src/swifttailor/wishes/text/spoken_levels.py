@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 
 from swifttailor.describing.claims import Claim
+from swifttailor.wishes.text.spoken_sides import SpokenSides
 from swifttailor.wording.lexicon import WordMark, WordReading
 
 _ENDS = (
@@ -80,24 +81,29 @@ _OPENS = re.compile(r"(?:^|[,;.:\n(]|(?<!\w)(?:and|but|or|which|that|one|it))\s*
 _SPEAKS_OF_ARMS = re.compile(r"(?<!\w)(?:sleeves?|arms?)(?!\w)", re.IGNORECASE)
 
 
-def spoken_levels(text: str, words: WordReading, kind: str | None) -> list[Claim]:
+def spoken_levels(text: str, words: WordReading, kind: str | None) -> SpokenSides:
     """Where a garment ends, and its sleeves, as far as nothing else in a text says so.
 
     Args:
         text: That the lexicon has read.
         words: By the lexicon.
         kind: Of the garment, as far as it is named.
+
+    Returns:
+        Claims about hems and sleeves, and where in the text each stands.
     """
     told = {i.claim.name for i in words.implications if i.said}
-    found: dict[str, Claim] = {}
+    found: dict[str, tuple[Claim, tuple[int, int]]] = {}
     for said in _PHRASE.finditer(text):
         bare = said["ends"] is None and said["where"] is None
         if (bare and (said["to"] or "").lower() not in _BARE) or _is_denied(words, said.start(), said.end()):
             continue
         claim = _claim(text, said, words, kind)
         if claim is not None and claim.name not in told:
-            found.setdefault(claim.name, claim)
-    return list(found.values())
+            found.setdefault(claim.name, (claim, said.span()))
+    return SpokenSides(
+        tuple([claim for claim, _ in found.values()]), tuple([span for _, span in found.values()])
+    )
 
 
 def _claim(text: str, said: re.Match[str], words: WordReading, kind: str | None) -> Claim | None:
