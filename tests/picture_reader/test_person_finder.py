@@ -9,6 +9,7 @@ import pytest
 from PIL import Image
 
 from swifttailor.errors import InputError
+from swifttailor.picture_reader.leg_joints import LegJoints
 from swifttailor.picture_reader.person_finder import (
     SHIPPED,
     PersonFinder,
@@ -55,7 +56,7 @@ def test_somebody_is_found_and_cut_out(finder, photograph):
 
 
 def test_joints_of_legs_are_where_legs_are(finder, photograph):
-    joints, high = finder.find(photograph).leg_joints, len(photograph)
+    joints, high = LegJoints.of(finder.find(photograph).joints), len(photograph)
     assert joints.hips == pytest.approx(0.49 * high, abs=0.04 * high)
     assert joints.knees == pytest.approx(0.69 * high, abs=0.04 * high)
     assert joints.ankles == pytest.approx(0.88 * high, abs=0.05 * high)

@@ -126,3 +126,20 @@ def test_the_mean_is_of_each_answer():
     looks = [{"a": np.array([1.0, 2.0]), "b": np.array(3.0)}, {"a": np.array([3.0, 4.0]), "b": np.array(5.0)}]
     found = mean_of(looks)
     assert found["a"].tolist() == [2.0, 3.0] and found["b"] == 4.0
+
+
+@pytest.mark.parametrize("lower", [None, "trousers"])
+@pytest.mark.parametrize("below", [-1.0, 2.0])
+@pytest.mark.parametrize("looked", [True, False])
+def test_more_than_looks_decides_whether_anything_is_worn_below(lower, below, looked):
+    rng = np.random.default_rng(3)
+    answers, near = said(rng, "dress", lower), said(rng, None, "skirt")
+    seen = with_legs((WHOLE, answers), (NEAR, near) if looked else None, below)
+    assert seen[UPPER] == (WHOLE, answers) and (LOWER in seen) == (below > 0)
+    if below > 0:
+        square, told = seen[LOWER]
+        assert square == (NEAR if looked else WHOLE) and told["present"][LOWER] == below
+        shown = near if looked else answers
+        share = LEGS_SHARE if looked and lower else 1.0
+        expected = (1 - share) * answers["statements"][LOWER] + share * shown["statements"][LOWER]
+        assert told["statements"][LOWER] == pytest.approx(expected)

@@ -7,6 +7,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from swifttailor.picture_reader.bare_limbs import BareLimbs
+from swifttailor.picture_reader.body_joints import PLACES, BodyJoints
 from swifttailor.picture_reader.person_finder import Person
 from swifttailor.picture_reader.photographed import (
     MOST_DESIGNED,
@@ -21,6 +23,7 @@ from swifttailor.programs.read_parameter import ReadParameter
 from swifttailor.render import Camera
 
 WHOLE = -5, 0, 90
+UNSEEN = BodyJoints(np.zeros((PLACES, 2)), np.zeros(PLACES))
 CAMERA = Camera((0.0, 100.0, 0.0), 180.0)
 
 
@@ -54,7 +57,7 @@ class Finder:
         self.looked.append(small)
         mask = np.zeros(pixels.shape[:2], np.float32)
         mask[20:60, 30:50] = 1
-        return None if self.certainty is None else Person(self.certainty, mask, (40.0, 42.0), 20.0)
+        return None if self.certainty is None else Person(self.certainty, mask, (40.0, 42.0), 20.0, UNSEEN)
 
 
 @pytest.fixture
@@ -67,8 +70,9 @@ def street():
 def test_people_are_cut_out_of_streets(street, figures, sure):
     shown = []
 
-    def read(*views, chest, legs):
+    def read(*views, chest, legs, limbs):
         shown.extend(views)
+        assert limbs == BareLimbs()
         (of_chest, chest_square), ((legs_alone, legs_square), (with_rest, same)) = chest, legs
         assert of_chest is with_rest is views[0][0] and same == legs_square
         assert below(chest_square) == 38 and chest_square[1] <= 20
@@ -93,7 +97,7 @@ def test_before_a_plain_ground_people_are_read_as_they_are_too(street):
     street[:, :25] = street[:15] = 255
     shown = []
 
-    def read(*views, chest, legs=()):
+    def read(*views, chest, limbs, legs=()):
         assert chest[0] is views[0][0] and below(chest[1]) == 38 and bool(legs) == (len(views) == 1)
         shown.append(views)
         return CUT

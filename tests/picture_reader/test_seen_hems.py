@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from swifttailor.describing.claims import Claim
+from swifttailor.picture_reader.body_joints import BodyJoints
 from swifttailor.picture_reader.leg_joints import LegJoints, default_landmarks
 from swifttailor.picture_reader.reading import PartReading, PictureReading, Statement
 from swifttailor.picture_reader.seen_hems import lowest_row, with_hems_near_knees
@@ -21,6 +22,10 @@ def places(hips=60.0, knees=110.0, ankles=160.0, seen=5.0):
     said[23:25, 1], said[25:27, 1], said[27:29, 1] = hips, knees, ankles
     said[:, 3] = seen
     return said
+
+
+def legs(said):
+    return LegJoints.of(BodyJoints.of(said, SQUARE, SIZE))
 
 
 def part(name, kind, hem, bottom):
@@ -50,18 +55,18 @@ def test_levels_are_those_of_the_default_body():
 
 
 def test_joints_are_told_in_pixels_of_the_picture():
-    found = LegJoints.of(places(), SQUARE, SIZE)
+    found = legs(places())
     assert (found.hips, found.knees, found.ankles) == (40 + 120.0, 40 + 220.0, 40 + 320.0)
     half_hidden = places()
     half_hidden[25, 1:4] = 170.0, 0.0, -9.0  # a knee behind a bag
-    assert LegJoints.of(half_hidden, SQUARE, SIZE).knees == pytest.approx(260.0, abs=0.1)
+    assert legs(half_hidden).knees == pytest.approx(260.0, abs=0.1)
 
 
 @pytest.mark.parametrize(
     "unseen", [places(seen=-3.0), places(knees=75.0), places(knees=50.0), places(ankles=100.0)]
 )
 def test_nothing_is_told_of_who_sits_or_is_not_seen(unseen):
-    assert LegJoints.of(unseen, SQUARE, SIZE) is None
+    assert legs(unseen) is None
 
 
 @pytest.mark.parametrize(

@@ -16,8 +16,9 @@ from numpy.typing import NDArray
 
 from swifttailor.arrays import Pixels
 from swifttailor.networks.model_file import ModelKind, open_model
+from swifttailor.picture_reader.bare_limbs import BareLimbs
+from swifttailor.picture_reader.body_joints import PLACES, SAID, BodyJoints
 from swifttailor.picture_reader.cut_square import cut_square
-from swifttailor.picture_reader.leg_joints import LegJoints
 from swifttailor.picture_reader.person_halves import View, chest_of, legs_of
 from swifttailor.picture_reader.said import share_of
 from swifttailor.picture_reader.squares import halves, mask_of
@@ -36,8 +37,6 @@ KIND = ModelKind(
 )
 _DETECTED, _CUT = 224, 256
 """Pixels along each side of what either network is shown."""
-_JOINTS, _SAID = 39, 5
-"""How many places on somebody's body are told, and how many numbers of each."""
 _STRIDES = (8, 2), (16, 2), (32, 6)
 """Of the detector: pixels from place to place, and boxes at each place."""
 _HIPS, _REACH = 2, 3
@@ -72,8 +71,8 @@ class Person:
     """x and y of the middle of their hips, pixels; where they are beyond the picture, outside of it."""
     reach: float
     """From there to the farthest point of them, pixels."""
-    leg_joints: LegJoints | None = None
-    """None where they are not seen."""
+    joints: BodyJoints
+    """Where they are seen, and where they would be."""
 
     def cut_out(self, pixels: Pixels) -> View:
         """The picture (h, w, 3) with nothing but white around them, and a square that they fill."""
@@ -82,6 +81,10 @@ class Person:
     def chest(self, cut_out: Pixels) -> View | None:
         """A view from the head to above the hips of what `cut_out` gives; None where hardly any is there."""
         return chest_of(cut_out, self.mask > _SHOWN, self.hips, self.reach)
+
+    def limbs(self, pixels: Pixels) -> BareLimbs:
+        """How bare their arms and legs are in the picture (h, w, 3)."""
+        return BareLimbs.of(pixels, self.mask > _SHOWN, self.joints)
 
     def legs(self, cut_out: Pixels) -> tuple[View, ...]:
         """Views from the waist down of what `cut_out` gives; none where no legs are seen."""
@@ -119,7 +122,7 @@ class PersonFinder:
                     [1, len(_places()), 1],
                 ),
                 "its mask": (model.shape_made(CUTTER, "mask"), [1, 1, _CUT, _CUT]),
-                "its joints": (model.shape_made(CUTTER, "joints"), [1, _JOINTS * _SAID]),
+                "its joints": (model.shape_made(CUTTER, "joints"), [1, PLACES * SAID]),
             }
         )
         return PersonFinder(model.sessions[DETECTOR], model.sessions[CUTTER])
@@ -147,7 +150,7 @@ class PersonFinder:
         if certain < LEAST_SURE or mask is None:
             return None
         left, top, side = square
-        joints = LegJoints.of(answers[2].reshape(_JOINTS, _SAID), square, _CUT)
+        joints = BodyJoints.of(answers[2].reshape(PLACES, SAID), square, _CUT)
         return Person(certain, mask, (left + side / 2, top + side / 2), side / 2 / _AROUND, joints)
 
     def _detected(self, pixels: Pixels, square: Square) -> tuple[float, Square] | None:

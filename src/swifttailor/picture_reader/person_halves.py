@@ -93,7 +93,7 @@ def with_neck(answers: Answers, chest: Answers) -> Answers:
 
 
 def with_legs(
-    whole: tuple[Square, Answers], legs: tuple[Square, Answers] | None
+    whole: tuple[Square, Answers], legs: tuple[Square, Answers] | None, below: float | None = None
 ) -> dict[int, tuple[Square, Answers]]:
     """By number of the part: a square and what is said of what is worn there.
 
@@ -103,24 +103,41 @@ def with_legs(
     Args:
         whole: A square around somebody, and what is said of it.
         legs: The same from nearer; None where they are not looked at.
+        below: Logit of whether anything apart is worn on the legs, where more than these looks tells that.
     """
     _, answers = whole
     seen = dict.fromkeys(parts_present(answers), whole)
+    if below is not None:
+        upper = {part: one for part, one in seen.items() if part != LOWER}
+        if below <= 0:
+            return upper
+        square, told = _nearer_of(whole, legs, both=LOWER in seen) if legs else whole
+        present = np.array(told["present"], np.float64)
+        present[LOWER] = below
+        return upper | {LOWER: (square, told | {"present": present})}
     if legs is None:
         return seen
     _, nearer = legs
     covered = UPPER in seen and _covers_legs(answers, nearer)
     if covered or LOWER not in parts_present(nearer):
         return seen
-    if LOWER not in seen:
-        return seen | {LOWER: legs}
+    return seen | {LOWER: _nearer_of(whole, legs, both=LOWER in seen)}
+
+
+def _nearer_of(
+    whole: tuple[Square, Answers], legs: tuple[Square, Answers], *, both: bool
+) -> tuple[Square, Answers]:
+    """What is seen of legs from nearer, or of both looks."""
+    if not both:
+        return legs
+    (_, answers), (square, nearer) = whole, legs
     mean = dict(nearer)
     for name in _BY_PART:
         if name in answers:
             value = np.array(nearer[name], np.float64)
             value[LOWER] = (1 - LEGS_SHARE) * answers[name][LOWER] + LEGS_SHARE * value[LOWER]
             mean[name] = value
-    return seen | {LOWER: (legs[0], mean)}
+    return square, mean
 
 
 def _kinds(answers: Answers, part: int) -> dict[str, float]:

@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from swifttailor.arrays import Pixels
+from swifttailor.picture_reader.leg_joints import LegJoints
 from swifttailor.picture_reader.person_finder import Person, PersonFinder
 from swifttailor.picture_reader.plain_pictures import mostly_one_colour_around
 from swifttailor.picture_reader.reading import PictureReading
@@ -47,7 +48,7 @@ def as_photograph(
         of_all: What is read of that.
         people: Gives what cuts people out.
         read: Reads one or more views of the picture, each pixels and a square; the first tells where things
-            are. `chest` and `legs` are looked at from nearer.
+            are. `chest` and `legs` are looked at from nearer, `limbs` are another witness.
 
     Returns:
         None where it is none, or nobody can be cut out.
@@ -60,17 +61,18 @@ def as_photograph(
         if person is None:
             return replace(of_all, is_photograph=True)
         cut = person.cut_out(pixels)
-        shown = _within(read(cut, whole, chest=person.chest(cut[0])), person)
+        shown = _within(read(cut, whole, chest=person.chest(cut[0]), limbs=person.limbs(pixels)), person)
         return replace(shown, figures="one", is_photograph=True)
     unseen = not of_all.parts or of_all.figures == "none"
     if person is None or (unseen and person.certainty < SURELY_SOMEBODY):
         return None
     cut = person.cut_out(pixels)
-    shown = read(cut, chest=person.chest(cut[0]), legs=person.legs(cut[0]))
+    limbs = person.limbs(pixels)
+    shown = read(cut, chest=person.chest(cut[0]), legs=person.legs(cut[0]), limbs=limbs)
     if not of_all.parts and not says_no_design(shown):
         return None
     figures = "several" if of_all.figures == "several" else "one"
-    worn = with_hems_near_knees(_within(shown, person), person.leg_joints)
+    worn = with_hems_near_knees(_within(shown, person), LegJoints.of(person.joints))
     return replace(worn, figures=figures, is_photograph=True)
 
 

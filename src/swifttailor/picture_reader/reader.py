@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from swifttailor.arrays import Pixels
 from swifttailor.errors import InputError
 from swifttailor.networks.model_file import GRAPH, ModelKind, open_model
+from swifttailor.picture_reader.bare_limbs import BareLimbs
 from swifttailor.picture_reader.close_looks import close_squares, with_close_designs, with_close_looks
 from swifttailor.picture_reader.close_ups import CLOSE_UPS
 from swifttailor.picture_reader.cut_square import cut_square
@@ -48,6 +49,7 @@ from swifttailor.picture_reader.said import (
 )
 from swifttailor.picture_reader.seen_design import SeenDesign
 from swifttailor.picture_reader.squares import around, box_of, halves, mask_of, scaled
+from swifttailor.picture_reader.told_by_limbs import with_limbs, worn_below
 from swifttailor.picture_reader.view import Square, camera_of, view_in
 from swifttailor.programs.read_parameter import ReadParameter
 from swifttailor.render.pixels import require_picture
@@ -246,7 +248,11 @@ class PictureReader:
         return replace(read, is_plain=nearer is not self, is_photograph=is_photograph)
 
     def at_frames(
-        self, *views: View, chest: View | None = None, legs: Sequence[View] | None = None
+        self,
+        *views: View,
+        chest: View | None = None,
+        legs: Sequence[View] | None = None,
+        limbs: BareLimbs | None = None,
     ) -> PictureReading:
         """What is seen at three frames of each of some views of one picture, which somebody fills.
 
@@ -254,19 +260,28 @@ class PictureReader:
             views: Pixels of all of it, and a square of it. The first tells where things are.
             chest: A view of the chest, for the neckline.
             legs: Views from the waist down, the first as above; None before a plain ground.
+            limbs: How bare arms and legs are, where that is known.
         """
         pixels, whole = views[0]
-        answers = self._at_frames(views)
+        answers = self.answers_at_frames(views)
         if chest is not None:
-            answers = with_neck(answers, self._at_frames((chest,)))
+            answers = with_neck(answers, self.answers_at_frames((chest,)))
         if legs is None:
             seen = with_legs((whole, kinds_as_worn(answers, BEFORE_PLAIN)), None)
         else:
-            nearer = (legs[0][1], kinds_as_worn(self._at_frames(legs))) if legs else None
-            seen = with_legs((whole, kinds_as_worn(answers)), nearer)
+            near = self.answers_at_frames(legs) if legs else None
+            below = worn_below(answers, near, limbs) if limbs else None
+            nearer = (legs[0][1], kinds_as_worn(near)) if near else None
+            seen = with_legs((whole, kinds_as_worn(answers)), nearer, below)
+        if limbs is not None:
+            seen = {
+                part: (at, with_limbs(told, limbs, part, street=legs is not None))
+                for part, (at, told) in seen.items()
+            }
         return self._reading(answers, whole, seen, pixels.shape[:2], self.parameters)
 
-    def _at_frames(self, views: Sequence[View]) -> dict[str, Any]:
+    def answers_at_frames(self, views: Sequence[View]) -> dict[str, Any]:
+        """The mean of what is said at three frames of each of some views, by names of outputs."""
         frames = [(pixels, scaled(square, k)) for pixels, square in views for k in _SHOP_SCALES]
         looks = [self._look(*frame, None) for frame in frames]
         return mean_of(looks) | {name: looks[0][name] for name in _OF_A_FRAME}
