@@ -1,10 +1,10 @@
 """The numbers by which bare arms and legs of people in photographs are told (`picture_reader/bare_limbs.py`).
 
-``python scripts/fit_bare_limbs.py FOLDER... --people FOLDER``
+``python scripts/fit_bare_limbs.py FOLDER... [--told FOLDER]``
 
-FOLDER has a list of what people wear (docs/picture-reader.md); of those before a plain ground what is learnt
-from counts, of `--people` all photographs. Prints logistic regressions, and with how many photographs each
-was fitted; `--folds` also how well those of `--people` are told by regressions that have not seen them.
+FOLDER has a list of what people wear (docs/picture-reader.md); of its photographs those are looked at that
+networks learn from. Prints logistic regressions, how many photographs each was fitted with, and how well it
+tells those of `--told`, which none has seen.
 """
 
 from __future__ import annotations
@@ -15,74 +15,75 @@ from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.optimize import minimize
 
 from swifttailor.arrays import Array
 from swifttailor.cli.item_progress import ItemProgress
 from swifttailor.data.pictures.photograph_lists import SPLITS, Photograph
 from swifttailor.data.pictures.photographs import Photographs
-from swifttailor.picture_reader.bare_limbs import BareLimbs, limb_signs
+from swifttailor.picture_reader.bare_limbs import limb_signs
 from swifttailor.picture_reader.bare_skin import BareSkin
-from swifttailor.picture_reader.reader import PictureReader
-from swifttailor.picture_reader.told_by_limbs import below_signs
+from swifttailor.picture_reader.person_finder import PersonFinder
 
 SHORT_LEGS = {"very short", "mid-thigh", "thigh", "knee", "calf"}
 LONG_SKIRTS = {"calf", "midi", "maxi", "floor"}
 RIDGE = 1.0
 """Of the regressions' weights, but for the summand."""
-Sample = tuple[Array, bool, bool]
-"""Signs, whether it is so, and whether it is one of `--people`."""
+Sign = tuple[str, Array, bool]
+"""The name of what is told, the signs of it, and whether it is so."""
 
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
     parser.add_argument("folders", type=Path, nargs="+")
-    parser.add_argument("--people", type=Path, required=True)
-    parser.add_argument("--folds", type=int, default=8)
+    parser.add_argument("--told", type=Path)
     options = parser.parse_args()
     learnt = Photographs(options.folders, SPLITS[0]).photographs
-    people = tuple(one for split in SPLITS for one in Photographs([options.people], split).photographs)
-    reader = PictureReader.load()
-    samples: dict[str, list[Sample]] = {}
-    with ItemProgress(len(learnt) + len(people), "photographs looked at") as progress:
-        for one in (*learnt, *people):
-            is_one = one in people
-            for name, signs, bare in looked_at(reader, one, below=is_one):
-                samples.setdefault(name, []).append((signs, bare, is_one))
+    told: tuple[Photograph, ...] = ()
+    if options.told:
+        told = tuple(one for split in SPLITS for one in Photographs([options.told], split).photographs)
+    finder = PersonFinder.load()
+    signs: list[list[Sign]] = [[], []]
+    with ItemProgress(len(learnt) + len(told), "photographs looked at") as progress:
+        for one in learnt:
+            signs[0] += limbs_of(finder, one)
             progress.add(1)
-    for name, some in samples.items():
-        # Whether anything is worn below is known of streets alone; limbs are bare more often in shops.
-        signs = np.array([one[0] for one in some])
-        bare, own = (np.array([one[k] for one in some]) for k in (1, 2))
-        weights = fitted(signs, bare)
-        if name != "below":
-            weights[-1] -= np.log(bare.mean() / (1 - bare.mean()))
-        said = ", ".join(f"{weight:.3f}" for weight in weights)
-        told = cross_validated(signs, bare, own, options.folds)
-        sys.stdout.write(f"{name}: ({said}), n = {len(bare)}, of people {own.sum()}, {told}\n")
+        for one in told:
+            signs[1] += limbs_of(finder, one)
+            progress.add(1)
+    for name in TRUTHS:
+        (seen, so), (others, others_so) = (_table(some, name) for some in signs)
+        weights = fitted(seen, so)
+        said = f"{name}: n = {len(so)}"
+        if len(others_so):
+            logits = others @ weights[:-1] + weights[-1]
+            yes, no = logits[others_so], logits[~others_so]
+            right = ((logits > 0) == others_so).mean()
+            said += (
+                f", told n = {len(others_so)}, AUC {(yes[:, None] > no[None]).mean():.3f}, right {right:.3f}"
+            )
+        # Only how much likelier than usual: in shops they are bare oftener.
+        weights[-1] -= np.log(so.mean() / (1 - so.mean()))
+        sys.stdout.write(f"{said}: ({', '.join(f'{weight:.3f}' for weight in weights)})\n")
 
 
-def looked_at(reader: PictureReader, photograph: Photograph, *, below: bool) -> list[tuple[str, Array, bool]]:
-    """Of what is known of a photograph: its name, the signs of it, and whether it is so."""
+def limbs_of(finder: PersonFinder, photograph: Photograph) -> list[Sign]:
+    """Of what is known of limbs in a photograph that are seen."""
     pixels = photograph.pixels()
-    person = reader.people().find(pixels) if reader.people else None
-    if person is None:
-        return []
+    person = finder.find(pixels)
+    skin = BareSkin.of(pixels, person.mask > 0.5, person.joints) if person else None
     found = []
-    skin = BareSkin.of(pixels, person.mask > 0.5, person.joints)
-    signs = limb_signs(skin) if skin else {}
-    for name, sign in signs.items():
+    for name, sign in limb_signs(skin).items() if skin else ():
         bare = TRUTHS[name](photograph)
         if sign is not None and bare is not None:
             found.append((name, sign, bare))
-    if below and photograph.told[1] and reader.shop is not None:
-        cut = person.cut_out(pixels)
-        legs = person.legs(cut[0])
-        near = reader.shop().answers_at_frames(legs) if legs else None
-        limbs = BareLimbs.of(pixels, person.mask > 0.5, person.joints)
-        answers = reader.shop().answers_at_frames((cut,))
-        found.append(("below", below_signs(answers, near, limbs), photograph.kinds[1] is not None))
     return found
+
+
+def _table(signs: list[Sign], name: str) -> tuple[Array, NDArray[np.bool_]]:
+    some = [one for one in signs if one[0] == name]
+    return np.array([one[1] for one in some]), np.array([one[2] for one in some], bool)
 
 
 def _words(photograph: Photograph, claim: str, part: int = 0) -> set[str]:
@@ -122,7 +123,7 @@ TRUTHS: dict[str, Callable[[Photograph], bool | None]] = {
 }
 
 
-def fitted(signs: Array, so: Array) -> Array:
+def fitted(signs: Array, so: NDArray[np.bool_]) -> Array:
     """Weights (n + 1,) of a logistic regression, its summand last."""
     extended = np.column_stack([signs, np.ones(len(signs))])
 
@@ -131,18 +132,6 @@ def fitted(signs: Array, so: Array) -> Array:
         return float(unlikely + RIDGE / 2 * (weights[:-1] ** 2).sum())
 
     return np.asarray(minimize(loss, np.zeros(extended.shape[1])).x)
-
-
-def cross_validated(signs: Array, so: Array, own: Array, folds: int) -> str:
-    """How well people are told apart by regressions that have not seen them."""
-    fold = np.random.default_rng(0).integers(0, folds, len(so))
-    logits = np.zeros(len(so))
-    for k in range(folds):
-        held = fold == k
-        logits[held] = np.column_stack([signs[held], np.ones(held.sum())]) @ fitted(signs[~held], so[~held])
-    yes, no = logits[own & so], logits[own & ~so]
-    above = (yes[:, None] > no[None]).mean()
-    return f"AUC of people {above:.3f}, right {((logits > 0) == so)[own].mean():.3f}"
 
 
 if __name__ == "__main__":

@@ -7,7 +7,6 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from swifttailor.picture_reader.bare_limbs import BareLimbs
 from swifttailor.picture_reader.body_joints import PLACES, BodyJoints
 from swifttailor.picture_reader.person_finder import Person
 from swifttailor.picture_reader.photographed import (
@@ -19,6 +18,7 @@ from swifttailor.picture_reader.photographed import (
 )
 from swifttailor.picture_reader.reading import PartReading, PictureReading
 from swifttailor.picture_reader.seen_design import SeenDesign
+from swifttailor.picture_reader.worn_signs import WornSigns
 from swifttailor.programs.read_parameter import ReadParameter
 from swifttailor.render import Camera
 
@@ -70,9 +70,9 @@ def street():
 def test_people_are_cut_out_of_streets(street, figures, sure):
     shown = []
 
-    def read(*views, chest, legs, limbs):
+    def read(*views, chest, legs, signs):
         shown.extend(views)
-        assert limbs == BareLimbs()
+        assert signs == WornSigns()
         (of_chest, chest_square), ((legs_alone, legs_square), (with_rest, same)) = chest, legs
         assert of_chest is with_rest is views[0][0] and same == legs_square
         assert below(chest_square) == 38 and chest_square[1] <= 20
@@ -97,7 +97,7 @@ def test_before_a_plain_ground_people_are_read_as_they_are_too(street):
     street[:, :25] = street[:15] = 255
     shown = []
 
-    def read(*views, chest, limbs, legs=()):
+    def read(*views, chest, signs, legs=()):
         assert chest[0] is views[0][0] and below(chest[1]) == 38 and bool(legs) == (len(views) == 1)
         shown.append(views)
         return CUT

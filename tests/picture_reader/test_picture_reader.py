@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 from swifttailor.errors import InputError
 from swifttailor.parameter_reader import ParameterReader
 from swifttailor.pattern.names import PANEL_NAMES
+from swifttailor.picture_reader.body_joints import PLACES, BodyJoints
 from swifttailor.picture_reader.close_looks import DESIGN_SHARE
 from swifttailor.picture_reader.cut_square import cut_square
 from swifttailor.picture_reader.figures import FIGURES
@@ -20,6 +21,7 @@ from swifttailor.picture_reader.panel_kinds import PANEL_KINDS, kinds_of_panels
 from swifttailor.picture_reader.reader import DESIGNS, SHIPPED, PictureReader
 from swifttailor.picture_reader.said import LEAST_CERTAINTY
 
+UNSEEN = BodyJoints(np.zeros((PLACES, 2)), np.zeros(PLACES))
 PARAMETERS = ParameterReader.load().parameters
 TINY = {"image_size": 64, "embedding": 8, "stages": [8, 8, 16, 16], "depths": [1, 1, 1, 1], "width": 24}
 
@@ -379,7 +381,7 @@ def test_what_somebody_wears_is_not_laid(somebody):
             return (
                 None
                 if somebody is None
-                else Person(somebody, np.ones(pixels.shape[:2], np.float32), (0.0, 0.0), 1.0)
+                else Person(somebody, np.ones(pixels.shape[:2], np.float32), (0.0, 0.0), 1.0, UNSEEN)
             )
 
     laid = PictureReader(Wearing(3.0), 64, said, {})

@@ -15,10 +15,10 @@ from swifttailor.arrays import Array, Pixels
 from swifttailor.picture_reader.bare_skin import FOREARM, HAND_END, SHIN, UPPER_ARM, BareSkin, LimbColours
 from swifttailor.picture_reader.body_joints import HIPS, KNEES, BodyJoints
 
-FOREARMS_BARE = (-2.236, 1.279, -1.707, 0.690, 6.305)
+FOREARMS_BARE = (-2.306, 1.014, -2.435, 0.675, 9.702)
 """Of how far the middle of forearms is from face and cloth, then the same of their end, and a summand."""
-UPPER_ARMS_BARE = (-2.448, 1.169, 4.277)
-SHINS_BARE = (-1.673, 0.881, 2.423)
+UPPER_ARMS_BARE = (-2.843, 0.780, 6.165)
+SHINS_BARE = (-0.838, 0.730, 0.152)
 """Of how far upper arms are from face and cloth, and a summand; of shins the same."""
 _MOST = 4.0
 """Nothing is told more surely than that: light makes cloth of skin."""

@@ -14,6 +14,8 @@ from swifttailor.picture_reader.plain_pictures import mostly_one_colour_around
 from swifttailor.picture_reader.reading import PictureReading
 from swifttailor.picture_reader.seen_hems import with_hems_near_knees
 from swifttailor.picture_reader.view import Square
+from swifttailor.picture_reader.worn_heads import WornHeads
+from swifttailor.picture_reader.worn_signs import WornSigns
 
 MOST_DESIGNED = 0.255
 """Of a photograph the design is read no more surely than this by a network that has learnt to say none."""
@@ -40,6 +42,7 @@ def as_photograph(
     of_all: PictureReading,
     people: Callable[[], PersonFinder] | None,
     read: Callable[..., PictureReading],
+    heads: Callable[[], WornHeads] | None = None,
 ) -> PictureReading | None:
     """What a photograph of people shows: of the surest of them, cut out; before a plain ground as it is, too.
 
@@ -48,7 +51,8 @@ def as_photograph(
         of_all: What is read of that.
         people: Gives what cuts people out.
         read: Reads one or more views of the picture, each pixels and a square; the first tells where things
-            are. `chest` and `legs` are looked at from nearer, `limbs` are another witness.
+            are. `chest` and `legs` are looked at from nearer, `signs` are other witnesses.
+        heads: Gives what has seen nothing but photographs.
 
     Returns:
         None where it is none, or nobody can be cut out.
@@ -57,18 +61,21 @@ def as_photograph(
         return None
     pixels, _ = whole
     person = people().find(pixels) if people else None
+    told = heads() if heads and person else None
     if of_all.parts and of_all.figures == "one" and mostly_one_colour_around(pixels):
         if person is None:
             return replace(of_all, is_photograph=True)
         cut = person.cut_out(pixels)
-        shown = _within(read(cut, whole, chest=person.chest(cut[0]), limbs=person.limbs(pixels)), person)
+        shown = _within(
+            read(cut, whole, chest=person.chest(cut[0]), signs=WornSigns.of(pixels, person, told)), person
+        )
         return replace(shown, figures="one", is_photograph=True)
     unseen = not of_all.parts or of_all.figures == "none"
     if person is None or (unseen and person.certainty < SURELY_SOMEBODY):
         return None
     cut = person.cut_out(pixels)
-    limbs = person.limbs(pixels)
-    shown = read(cut, chest=person.chest(cut[0]), legs=person.legs(cut[0]), limbs=limbs)
+    signs = WornSigns.of(pixels, person, told)
+    shown = read(cut, chest=person.chest(cut[0]), legs=person.legs(cut[0]), signs=signs)
     if not of_all.parts and not says_no_design(shown):
         return None
     figures = "several" if of_all.figures == "several" else "one"

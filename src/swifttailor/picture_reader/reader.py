@@ -14,7 +14,6 @@ from numpy.typing import NDArray
 from swifttailor.arrays import Pixels
 from swifttailor.errors import InputError
 from swifttailor.networks.model_file import GRAPH, ModelKind, open_model
-from swifttailor.picture_reader.bare_limbs import BareLimbs
 from swifttailor.picture_reader.close_looks import close_squares, with_close_designs, with_close_looks
 from swifttailor.picture_reader.close_ups import CLOSE_UPS
 from swifttailor.picture_reader.cut_square import cut_square
@@ -33,24 +32,13 @@ from swifttailor.picture_reader.person_finder import PersonFinder
 from swifttailor.picture_reader.person_halves import View, mean_of, with_legs, with_neck
 from swifttailor.picture_reader.photographed import as_photograph, says_no_design, surely_somebody
 from swifttailor.picture_reader.plain_pictures import one_colour_around
-from swifttailor.picture_reader.reading import (
-    PartReading,
-    PictureReading,
-    SeenCells,
-)
-from swifttailor.picture_reader.said import (
-    LEAST_PRESENT,
-    certainties,
-    measures_said,
-    panels_said,
-    parts_present,
-    share_of,
-    statements_said,
-)
-from swifttailor.picture_reader.seen_design import SeenDesign
-from swifttailor.picture_reader.squares import around, box_of, halves, mask_of, scaled
-from swifttailor.picture_reader.told_by_limbs import with_limbs, worn_below
-from swifttailor.picture_reader.view import Square, camera_of, view_in
+from swifttailor.picture_reader.reading import PictureReading
+from swifttailor.picture_reader.said import certainties, parts_present, share_of
+from swifttailor.picture_reader.said_reading import DESIGNS, reading_of
+from swifttailor.picture_reader.squares import around, halves, scaled
+from swifttailor.picture_reader.view import Square, view_in
+from swifttailor.picture_reader.worn_heads import WornHeads
+from swifttailor.picture_reader.worn_signs import WornSigns, with_signs, worn_below
 from swifttailor.programs.read_parameter import ReadParameter
 from swifttailor.render.pixels import require_picture
 
@@ -81,8 +69,6 @@ OUTPUTS = (
     "panel_kinds",
     "seams",
 )
-DESIGNS = "designs"
-"""Said besides by a network that has learnt to read design parameters."""
 KIND = ModelKind(
     "picture reader",
     "swifttailor picture-reader 1",
@@ -96,7 +82,6 @@ LEAST_FOUND = 0.8
 _SCALES, _SHOP_SCALES = (1.0, 0.87, 1.15), (1.0, 0.92, 1.1)
 """Sides of the frames of the nearer looks, in that around the garment; of photographs, in all of them."""
 _OF_A_FRAME = ("camera_view", "masks", "worn_places", "panel_kinds", "seams")
-_CM = 100.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -123,6 +108,8 @@ class PictureReader:
     """Gives the one that tells photographs of people, and reads them in its place."""
     people: Callable[[], PersonFinder] | None = None
     """Gives what cuts people out of their photographs."""
+    heads: Callable[[], WornHeads] | None = None
+    """Gives what has seen nothing but photographs, and tells a few claims of somebody who is cut out."""
     parameters: tuple[ReadParameter, ...] = ()
     """Design parameters that it reads."""
     near_designs: bool = False
@@ -170,6 +157,7 @@ class PictureReader:
         if shop:
             people = cache(lambda: PersonFinder.load(threads=threads))
             reader = replace(reader, shop=cache(lambda: PictureReader._opened(shop, threads)), people=people)
+            reader = replace(reader, heads=cache(lambda: WornHeads.load(threads=threads)))
         if not plain:
             return reader
         whole, *details = plain
@@ -226,7 +214,7 @@ class PictureReader:
         is_photograph = False
         if nearer is self and self.shop is not None:
             of_all = self.shop().at_frames((pixels, whole))
-            read = as_photograph((pixels, whole), of_all, self.people, self.shop().at_frames)
+            read = as_photograph((pixels, whole), of_all, self.people, self.shop().at_frames, self.heads)
             if read is not None:
                 return read
             is_photograph = says_no_design(of_all) and of_all.figures != "none"
@@ -244,7 +232,7 @@ class PictureReader:
                     answers = as_people_wear(answers, self.parameters)
                 seen[part] = square, answers
                 waiting += [(k, *seen[part]) for k in parts_present(seen[part][1])]
-        read = self._reading(first, whole, seen, (height, width), nearer.parameters)
+        read = reading_of(first, whole, seen, (height, width), nearer.parameters)
         return replace(read, is_plain=nearer is not self, is_photograph=is_photograph)
 
     def at_frames(
@@ -252,7 +240,7 @@ class PictureReader:
         *views: View,
         chest: View | None = None,
         legs: Sequence[View] | None = None,
-        limbs: BareLimbs | None = None,
+        signs: WornSigns | None = None,
     ) -> PictureReading:
         """What is seen at three frames of each of some views of one picture, which somebody fills.
 
@@ -260,7 +248,7 @@ class PictureReader:
             views: Pixels of all of it, and a square of it. The first tells where things are.
             chest: A view of the chest, for the neckline.
             legs: Views from the waist down, the first as above; None before a plain ground.
-            limbs: How bare arms and legs are, where that is known.
+            signs: What else tells of what is worn.
         """
         pixels, whole = views[0]
         answers = self.answers_at_frames(views)
@@ -270,15 +258,13 @@ class PictureReader:
             seen = with_legs((whole, kinds_as_worn(answers, BEFORE_PLAIN)), None)
         else:
             near = self.answers_at_frames(legs) if legs else None
-            below = worn_below(answers, near, limbs) if limbs else None
+            below = worn_below(answers, near, signs.limbs) if signs else None
             nearer = (legs[0][1], kinds_as_worn(near)) if near else None
             seen = with_legs((whole, kinds_as_worn(answers)), nearer, below)
-        if limbs is not None:
-            seen = {
-                part: (at, with_limbs(told, limbs, part, street=legs is not None))
-                for part, (at, told) in seen.items()
-            }
-        return self._reading(answers, whole, seen, pixels.shape[:2], self.parameters)
+        if signs is not None:
+            street = legs is not None
+            seen = {k: (at, with_signs(told, signs, k, street=street)) for k, (at, told) in seen.items()}
+        return reading_of(answers, whole, seen, pixels.shape[:2], self.parameters)
 
     def answers_at_frames(self, views: Sequence[View]) -> dict[str, Any]:
         """The mean of what is said at three frames of each of some views, by names of outputs."""
@@ -361,55 +347,3 @@ class PictureReader:
         found = self.session.run(list(names), {"pictures": batch, "guess": guess})
         answers = {name: value[0] for name, value in zip(names, found, strict=True)}
         return answers | {"statements": answers["statements"] * self.scales[:, 0] + self.scales[:, 1]}
-
-    def _reading(
-        self,
-        first: dict[str, Any],
-        whole: Square,
-        seen: dict[int, tuple[Square, dict[str, Any]]],
-        shape: tuple[int, int],
-        parameters: tuple[ReadParameter, ...],
-    ) -> PictureReading:
-        parts = [
-            self._part(k, square, answers, shape, parameters)
-            for k, (square, answers) in seen.items()
-            if share_of(answers["present"][k]) >= LEAST_PRESENT
-        ]
-        parts.sort(key=lambda part: -part.certainty)
-        square, view = whole, first["camera_view"]
-        if parts:
-            square, answers = seen[PARTS.index(parts[0].part)]
-            view = answers["camera_view"]
-        figures = certainties(first["figures"])
-        return PictureReading(
-            tuple(parts),
-            camera_of(view),
-            box_of(square),
-            FIGURES[int(figures.argmax())],
-            float(figures.max()),
-        )
-
-    def _part(
-        self,
-        number: int,
-        square: Square,
-        answers: dict[str, Any],
-        shape: tuple[int, int],
-        parameters: tuple[ReadParameter, ...],
-    ) -> PartReading:
-        mask = share_of(answers["masks"][number])
-        return PartReading(
-            PARTS[number],
-            float(share_of(answers["present"][number])),
-            statements_said(answers["statements"][number]),
-            measures_said(answers["has"][number], answers["measures"][number]),
-            panels_said(answers["panels"][number], answers["boxes"][number]),
-            mask_of(mask, square, shape),
-            SeenCells(
-                box_of(square),
-                mask.astype(np.float32),
-                answers["worn_places"].transpose(1, 2, 0) * _CM,
-                answers["panel_kinds"].argmax(axis=0).astype(np.uint8),
-            ),
-            SeenDesign.of_logits(parameters, answers[DESIGNS][number]) if parameters else None,
-        )

@@ -1,4 +1,4 @@
-"""What limbs tell joins what a network says of sleeves, of kinds, and of whether anything is worn below."""
+"""Other witnesses join what a network says of sleeves, collars and legs, and of what is worn below."""
 
 from __future__ import annotations
 
@@ -9,7 +9,8 @@ from swifttailor.picture_reader.bare_limbs import BareLimbs
 from swifttailor.picture_reader.labels import PARTS, statement_labels
 from swifttailor.picture_reader.person_halves import LOWER, UPPER
 from swifttailor.picture_reader.said import share_of
-from swifttailor.picture_reader.told_by_limbs import with_limbs, worn_below
+from swifttailor.picture_reader.worn_heads import COLLARED
+from swifttailor.picture_reader.worn_signs import WornSigns, with_signs, worn_below
 
 LABELS = statement_labels()
 SEEN = BareLimbs(knees_seen=0.97, hips_seen=0.97)
@@ -26,6 +27,10 @@ def answers(part, claim, shares, present=0.0):
 def said(found, part, claim):
     shares = share_of(found["statements"][part])
     return {word: float(shares[k]) for k, (name, word) in enumerate(LABELS) if name == claim}
+
+
+def logs(shares):
+    return {word: float(np.log(share)) for word, share in shares.items()}
 
 
 def likeliest(found, part, claim):
@@ -47,7 +52,7 @@ def likeliest(found, part, claim):
 @pytest.mark.parametrize("street", [True, False])
 def test_sleeves_agree_with_arms(read, limbs, told, street):
     before = answers(UPPER, "sleeves", read)
-    found = with_limbs(before, limbs, UPPER, street=street)
+    found = with_signs(before, WornSigns(limbs), UPPER, street=street)
     assert likeliest(found, UPPER, "sleeves") == told
     assert sum(said(found, UPPER, "sleeves").values()) == pytest.approx(1, abs=0.03)
     others = [k for k, (claim, _) in enumerate(LABELS) if claim != "sleeves"]
@@ -56,18 +61,46 @@ def test_sleeves_agree_with_arms(read, limbs, told, street):
 
 
 @pytest.mark.parametrize(
-    ("read", "shins", "told"),
+    ("read", "shins", "seen", "told"),
     [
-        ({"skirt": 0.6, "trousers": 0.4}, -2.0, "trousers"),
-        ({"trousers": 0.6, "shorts": 0.4}, 2.0, "shorts"),
-        ({"skirt": 0.9, "trousers": 0.1}, 0.0, "skirt"),
+        ({"skirt": 0.6, "trousers": 0.4}, -2.0, {}, "trousers"),
+        ({"trousers": 0.6, "shorts": 0.4}, 2.0, {}, "shorts"),
+        ({"skirt": 0.9, "trousers": 0.1}, 0.0, {}, "skirt"),
+        ({"skirt": 0.7, "trousers": 0.3}, 0.0, {"trousers": 0.9, "skirt": 0.05, "shorts": 0.05}, "trousers"),
+        ({"skirt": 0.7, "trousers": 0.3}, 0.0, {"trousers": 0.4, "skirt": 0.3, "shorts": 0.3}, "skirt"),
     ],
 )
-def test_kinds_agree_with_shins_in_a_street(read, shins, told):
+def test_kinds_agree_with_shins_and_with_what_photographs_look_like(read, shins, seen, told):
     before = answers(LOWER, "kind", read)
-    found = with_limbs(before, BareLimbs(shins=shins), LOWER, street=True)
+    signs = WornSigns(BareLimbs(shins=shins), {"kind": logs(seen)} if seen else {})
+    found = with_signs(before, signs, LOWER, street=True)
     assert likeliest(found, LOWER, "kind") == told
-    assert with_limbs(before, BareLimbs(shins=shins), LOWER, street=False) is before
+    assert (found["statements"][UPPER] == before["statements"][UPPER]).all()
+
+
+@pytest.mark.parametrize(
+    ("read", "collared", "street", "told"),
+    [
+        ({"none": 0.8, "lapel": 0.15}, 0.9, True, "lapel"),
+        ({"none": 0.8, "lapel": 0.15}, 0.3, True, "none"),
+        ({"stand": 0.9, "none": 0.1}, 0.9, False, "stand"),
+        ({"lapel": 0.6, "none": 0.4}, 0.1, False, "none"),
+    ],
+)
+def test_collars_are_there_where_photographs_look_so(read, collared, street, told):
+    shares = {"none": 1 - collared, COLLARED: collared}
+    signs = WornSigns(told={"collar": logs(shares)})
+    found = with_signs(answers(UPPER, "collar", read), signs, UPPER, street=street)
+    assert likeliest(found, UPPER, "collar") == told
+
+
+def test_hems_of_legs_agree_with_what_photographs_look_like():
+    words = [word for claim, word in LABELS if claim == "leg_hem"]
+    shares = dict.fromkeys(words, 0.01) | {"full": 1 - 0.01 * (len(words) - 1)}
+    before = answers(LOWER, "leg_hem", {"ankle": 0.6, "full": 0.3})
+    found = with_signs(before, WornSigns(told={"leg_hem": logs(shares)}), LOWER, street=True)
+    assert likeliest(found, LOWER, "leg_hem") == "full" and likeliest(before, LOWER, "leg_hem") == "ankle"
+    assert likeliest(with_signs(before, WornSigns(), LOWER, street=True), LOWER, "leg_hem") == "ankle"
 
 
 def test_who_shows_legs_wears_something_on_them():
