@@ -11,6 +11,10 @@ from swifttailor.wishes.instructions.change_parts import PARTS, Property
 from swifttailor.wording.word_tables import Row, read_table
 
 _TABLE = Path(__file__).with_name("change_words.txt")
+_NOT = (
+    r"(?<!\w)(?:not|never|hardly|barely|nowhere near|far from|(?:is|are|was|were|does|do)n['’]?t"
+    r"(?: feel| look| seem| sit| fall| fit)?)"
+)
 _PROPERTIES: tuple[Property, ...] = ("length", "width", "height", "depth")
 _SIGNS = {"+": 1, "-": -1}
 
@@ -46,7 +50,9 @@ def find_changes(text: str) -> list[ChangeWord]:
     pattern, meaning = _compiled()
     found = []
     for match in pattern.finditer(text):
-        if match["adjective"]:
+        if match["lacking"]:
+            found.append(ChangeWord(match.start(), match.end(), *meaning["adjectives"][match["lacking"]]))
+        elif match["adjective"]:
             what, sign = meaning["adjectives"][match["adjective"]]
             found.append(ChangeWord(match.start(), match.end(), what, sign if match["more"] else -sign))
         else:
@@ -210,7 +216,11 @@ def _compiled() -> tuple[re.Pattern[str], dict[str, dict[str, tuple[Property, in
         )
     )
     degree = r"(?:(?:a )?(?:bit|lil|little|tad|tiny bit|touch) )?"
-    pattern = rf"(?:(?P<more>{more})|(?P<less>{less})) {degree}(?P<adjective>{adjective})|(?P<grow>{grow})"
+    # "Not long enough" asks for more of what "too long" asks for less of.
+    lacking = rf"{_NOT}(?: (?:quite|nearly|really|anywhere near|at all))? (?P<lacking>{adjective}) enough(?!\w)"
+    pattern = (
+        rf"{lacking}|(?:(?P<more>{more})|(?P<less>{less})) {degree}(?P<adjective>{adjective})|(?P<grow>{grow})"
+    )
     return re.compile(pattern), meaning
 
 

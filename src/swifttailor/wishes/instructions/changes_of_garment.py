@@ -29,6 +29,13 @@ _MADE = {
     "leg cuff length": Claim("leg_cuffs", "band"),
 }
 """What has to be there for a measure to grow."""
+_ENDS = {
+    "skirt_hem": "length",
+    "top_hem": "length",
+    "leg_hem": "leg length",
+    "sleeves": "sleeve length",
+}
+"""Claims of where something ends, and how long it is."""
 _COUNTED = frozenset({"godets", "tiers"})
 """Where there are none, so many more are so many."""
 _ELSE = {"top width": ("skirt hem", "chest"), "skirt hem": ("top width",), "waistband width": ("chest",)}
@@ -102,11 +109,8 @@ def in_step_with_hems(told: Sequence[Change], said: Callable[[Change], bool]) ->
         told: What is asked for.
         said: Whether a text has the number of a change.
     """
-    ends = {c.claim.name for c in told if isinstance(c, Gain)} & {"skirt_hem", "top_hem", "leg_hem"}
-    lengths = ("length", "leg length")
+    ends = {_ENDS[c.claim.name] for c in told if isinstance(c, Gain) and c.claim.name in _ENDS}
     return [
-        replace(c, amount=None)
-        if isinstance(c, Step) and ends and c.quantity in lengths and not said(c)
-        else c
+        replace(c, amount=None) if isinstance(c, Step) and c.quantity in ends and not said(c) else c
         for c in told
     ]

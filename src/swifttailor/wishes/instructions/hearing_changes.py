@@ -29,9 +29,17 @@ from swifttailor.wishes.instructions.changes_of_garment import (
     with_share,
     with_shares,
 )
+from swifttailor.wishes.instructions.described import with_their_names, without_described
 from swifttailor.wishes.instructions.girth_targets import with_targets
 from swifttailor.wishes.instructions.left_unread import counts_elsewhere, not_answered, other_garments
 from swifttailor.wishes.instructions.one_meaning import in_one_meaning, still_in
+from swifttailor.wishes.instructions.said_plainly import (
+    clear_changes,
+    compared_plainly,
+    is_all_plain,
+    says_how_much,
+    turned_round,
+)
 from swifttailor.wishes.instructions.sayings import plainly
 from swifttailor.wishes.instructions.spoken_amounts import by_a_bit
 from swifttailor.wishes.instructions.spoken_changes import SpokenChanges, spoken_changes
@@ -63,6 +71,7 @@ from swifttailor.wishes.text.spoken_measures import is_of_another, spoken_measur
 from swifttailor.wishes.text.text_as_read import ENGLISH, lacks_of, text_as_read
 from swifttailor.wishes.text.unread import not_understood, says_nothing_else, unread_numbers
 from swifttailor.wishes.trims.trims_spoken_of import speaks_of_trims_alone
+from swifttailor.wording.claim_kinds import fits_kind
 from swifttailor.wording.lexicon import SURENESS, WordMark, WordReading, exclude, glossed_change, read_words
 
 SURE_IN_KNOWN_WORDS = 0.7
@@ -107,22 +116,25 @@ def _heard_changes(text: str, reader: WishReader, facts: GarmentFacts | None) ->
     """
     kind = None if facts is None else named_kind(facts)
     text, words = text_as_read(text, kind)
+    def is_so(claim: Claim) -> bool:
+        return facts is not None and claim.holds(facts)
+
     own = text
     plain = plainly(text, kind or "dress")
     by_saying = plain != text.lower()
     plain = in_one_meaning(plain, words.language)
     plain = plain if facts is None else with_targets(plain, kind or "dress", facts)
+    named = with_their_names(plain.lower())
+    shown = without_described(named, words if named == text.lower() else read_words(named, kind=kind), is_so)
+    by_saying = by_saying or shown != plain.lower()
+    plain = shown
     if plain != text.lower():
         text, words = plain, read_words(plain, kind=kind, language=still_in(words.language))
-
-    def is_so(claim: Claim) -> bool:
-        return facts is not None and claim.holds(facts)
-
     spoken = spoken_changes(text, words, kind or "dress", is_so)
     put_plainly: list[Change] = []
     if by_saying:  # what somebody has written into a table is known better than guessed
         before = spoken_changes(own, text_as_read(own, kind)[1], kind or "dress", is_so).changes
-        put_plainly = [c for c in _clear(spoken) if c not in before]
+        put_plainly = [c for c in clear_changes(spoken) if c not in before]
     if facts is not None:
         spoken = with_shares(text, spoken, facts)
     told = undisputed(spoken.changes, spoken.disputed, len(own.split()))
@@ -165,6 +177,8 @@ def _heard_changes(text: str, reader: WishReader, facts: GarmentFacts | None) ->
         part = text[clause.start : clause.end]
         new = [w for w in found if _adds(w.change, told, spoken, words) and _is_named(w.change, part)]
         new = [w for w in new if subject_of(w.change) not in spoken.disputed]
+        if facts is not None:
+            new = [w for w in new if isinstance(w.change, Step) or fits_kind(w.change.claim.name, kind or "")]
         if told and facts is not None:  # what is so already describes what is there
             new = [w for w in new if isinstance(w.change, Step) or not w.change.holds(facts, facts)]
         certain = [w for w in sure_wishes(tuple(new)) if not clause.changes or w.certainty >= SURE_BESIDE]
@@ -188,11 +202,13 @@ def _heard_changes(text: str, reader: WishReader, facts: GarmentFacts | None) ->
     taken = spoken.taken
     unsure: tuple[Change, ...] = ()
     perhaps: tuple[Change, ...] = ()
-    if words.language == ENGLISH and not speaks_of_trims_alone(words):
-        whole, clear = whole_of(own, reader), _clear(spoken)
+    plain_words = speaks_of_trims_alone(words) or is_all_plain(text, spoken)
+    if words.language == ENGLISH and not plain_words:
+        whole, clear = whole_of(own, reader), clear_changes(spoken)
         whole = whole if facts is None or kind is None else of_kind(whole, kind, facts)
         firm = [change for _, some in taken for change in some] + put_plainly
-        firm += [c for c in said if is_of_places(c) or (c in clear and _says_how_much(own, c))]
+        firm += [*compared_plainly(text, spoken), *turned_round(text, spoken, whole)]
+        firm += [c for c in said if is_of_places(c) or (c in clear and says_how_much(own, c))]
         spoken_of = parts_spoken_of(own, kind)
         details = [Gain(i.claim) for i in words.implications if i.said]
         firm += [
@@ -243,7 +259,13 @@ def _heard_changes(text: str, reader: WishReader, facts: GarmentFacts | None) ->
         guessed = [w for w in (*guessed, *alone) if part_of(subject_of(w.change)) not in parts]
         perhaps = tuple(dict.fromkeys([*perhaps, *[wish.change for wish in guessed]]))
     sure = sure if facts is None else closed_alone(sure, never, facts)
-    asked = in_step_with_hems([wish.change for wish in sure], lambda change: _says_how_much(own, change))
+    slight = {
+        change: by_a_bit(text[c.start : c.end].lower(), change)
+        for c in spoken.clauses
+        for change in c.changes
+    }
+    asked = [slight.get(wish.change, wish.change) for wish in sure]
+    asked = in_step_with_hems(asked, lambda change: says_how_much(own, change))
     if facts is not None:
         asked = [with_share(own, change, facts) for change in asked]
     sure = [replace(wish, change=change) for wish, change in zip(sure, asked, strict=True)]
@@ -262,14 +284,9 @@ def _heard_changes(text: str, reader: WishReader, facts: GarmentFacts | None) ->
     ]
     lacks = tuple([lack for lack in lacks_of(words, changes, measures) if lack.said])
     silent = tuple(dict.fromkeys(not_answered(unread, words)))
-    slight = {
-        change: by_a_bit(text[c.start : c.end].lower(), change)
-        for c in spoken.clauses
-        for change in c.changes
-    }
     return Heard(
         text,
-        tuple([replace(wish, change=slight.get(wish.change, wish.change)) for wish in sure]),
+        tuple(sure),
         tuple(likely),
         never,
         silent,
@@ -322,20 +339,9 @@ def _adds(change: Change, told: Sequence[Change], spoken: SpokenChanges, words: 
     return True
 
 
-def _clear(spoken: SpokenChanges) -> list[Change]:
-    """What clauses ask for of which all words are accounted for."""
-    return [change for clause in spoken.clauses if not clause.left_over for change in clause.changes]
-
-
 def _is_strap(mark: WordMark) -> bool:
     """Whether straps are asked for, and not to go."""
     return mark.word.lower() in ("strap", "straps") and not mark.denied
-
-
-def _says_how_much(text: str, change: Change) -> bool:
-    """Whether a text has the number by which something is to change, and not only that it is to."""
-    amount = change.amount if isinstance(change, Step) else None
-    return amount is not None and any(abs(amount - m.value) < 0.1 for m in find_mentions(text))
 
 
 def _less(text: str, words: WordReading) -> frozenset[Claim]:

@@ -229,7 +229,7 @@ def spoken_changes(
         taken.append((text[scene.start : scene.end], scene.changes))
     found = _joined(small, found, mentions, parts, kind)
     found = without_what_is_so([at_the_neck(small, c, is_so) for c in found], is_so)
-    clashes = clashes_of(found, words, is_so)
+    clashes = clashes_of(found, words, is_so, [(c.start, c.end) for c in changes])
     wanted = [change for clause in found for change in clause.changes]
     dropped = {subject for *_, subject in clashes}
     careful = any(
