@@ -50,6 +50,8 @@ def find_changes(text: str) -> list[ChangeWord]:
     pattern, meaning = _compiled()
     found = []
     for match in pattern.finditer(text):
+        if match["grow"] and _CLOSING.match(text, match.start()) and _is_of_closing(text, match):
+            continue
         if match["lacking"]:
             found.append(ChangeWord(match.start(), match.end(), *meaning["adjectives"][match["lacking"]]))
         elif match["adjective"]:
@@ -62,6 +64,27 @@ def find_changes(text: str) -> list[ChangeWord]:
         found = [w for w in found if not any(a < w.end and w.start < b for a, b in spans)]
         found.append(word)
     return sorted(found, key=lambda word: word.start)
+
+
+_CLOSING = re.compile(r"(?:up|down)(?!\w)")
+_RUNS = re.compile(
+    r"(?:up|down) (?:the |my |its |each |both |one |either )?(?:(?:centre|center|middle of the) )?"
+    r"(?:whole )?(?:front|back|sides?|left|right|centre|center|middle|seams?|legs?|sleeves?|arms?)(?!\w)"
+)
+_CLOSED = re.compile(
+    r"(?:zip(?:per)?|button|lac|tie|snap|popper|hook|done|do|fasten|slit|split|open|cut|stripe|piping|ruffle|frill)"
+    r"\w*(?: it)?(?: all the way| right| straight| open)?[ -]$"
+)
+
+
+def _is_of_closing(text: str, match: re.Match[str]) -> bool:
+    """Whether "up" or "down" says where a zip or buttons run, and moves no edge: "lace-up", "zip up the back"."""
+    closed = _CLOSED.search(text[: match.start()]) is not None
+    return closed and (
+        _RUNS.match(text, match.start()) is not None
+        or text[match.start() - 1] == "-"
+        or text[match.end() : match.end() + 1] in ("", ",", ".")
+    )
 
 
 _BEFORE = re.compile(
@@ -217,10 +240,10 @@ def _compiled() -> tuple[re.Pattern[str], dict[str, dict[str, tuple[Property, in
     )
     degree = r"(?:(?:a )?(?:bit|lil|little|tad|tiny bit|touch) )?"
     # "Not long enough" asks for more of what "too long" asks for less of.
-    lacking = rf"{_NOT}(?: (?:quite|nearly|really|anywhere near|at all))? (?P<lacking>{adjective}) enough(?!\w)"
-    pattern = (
-        rf"{lacking}|(?:(?P<more>{more})|(?P<less>{less})) {degree}(?P<adjective>{adjective})|(?P<grow>{grow})"
+    lacking = (
+        rf"{_NOT}(?: (?:quite|nearly|really|anywhere near|at all))? (?P<lacking>{adjective}) enough(?!\w)"
     )
+    pattern = rf"{lacking}|(?:(?P<more>{more})|(?P<less>{less})) {degree}(?P<adjective>{adjective})|(?P<grow>{grow})"
     return re.compile(pattern), meaning
 
 

@@ -44,7 +44,8 @@ def without_described(text: str, words: WordReading, is_so: Callable[[Claim], bo
         asked = any(c.name in so and not is_so(c) for m in others for c in _claims(m))
         behind = re.compile(r"\s+(?:\w+\s+)?").match(text, mark.end)
         plain = any(a < end and behind is not None and a == behind.end() for a, _ in adjectives)
-        if asked or plain:
+        named = any(p.start == 0 and p.end == len(mark.word) for p in find_parts(mark.word.lower()))
+        if asked or (plain and not named):
             spans.append((mark.start, _adjective_end(mark)))
     for start, end in spans:
         text = text[:start] + " " * (end - start) + text[end:]

@@ -31,8 +31,14 @@ from swifttailor.wishes.instructions.changes_of_garment import (
 )
 from swifttailor.wishes.instructions.described import with_their_names, without_described
 from swifttailor.wishes.instructions.girth_targets import with_targets
-from swifttailor.wishes.instructions.left_unread import counts_elsewhere, not_answered, other_garments
+from swifttailor.wishes.instructions.left_unread import (
+    counts_elsewhere,
+    not_answered,
+    of_its_kind,
+    other_garments,
+)
 from swifttailor.wishes.instructions.one_meaning import in_one_meaning, still_in
+from swifttailor.wishes.instructions.refusals import compared_away, is_moved_away, refused
 from swifttailor.wishes.instructions.said_plainly import (
     clear_changes,
     compared_plainly,
@@ -49,6 +55,7 @@ from swifttailor.wishes.instructions.stated_figures import (
     by_the_number,
     is_stated,
     to_the_number,
+    to_the_word,
     without_steps_to,
     without_vague_depth,
 )
@@ -81,6 +88,7 @@ SURE_BESIDE = 0.97
 """Enough in a clause of an instruction that words alone explain in part."""
 
 
+_VAGUE = (Step("sleeve length", 1), Step("sleeve length", -1))
 _ARMS = frozenset({"left_sleeve", "right_sleeve"})
 _HIGH_SLIT, _SIDE_SLIT = Gain(Claim("slit_size", "high")), Gain(Claim("slit", "left"))
 _NO_SLIT, _STRAPLESS = Claim("slit", "none"), Claim("shoulders", "strapless")
@@ -116,6 +124,7 @@ def _heard_changes(text: str, reader: WishReader, facts: GarmentFacts | None) ->
     """
     kind = None if facts is None else named_kind(facts)
     text, words = text_as_read(text, kind)
+
     def is_so(claim: Claim) -> bool:
         return facts is not None and claim.holds(facts)
 
@@ -189,15 +198,17 @@ def _heard_changes(text: str, reader: WishReader, facts: GarmentFacts | None) ->
         told += [w.change for w in certain]
         likely += [w for w in likely_wishes(tuple(new)) if w not in certain]
         unread += _still_unread(part, clause, certain, reader)
-    never = _refused(words)
-    held = [] if facts is None else [c for c in never if c.holds(facts) and c not in _less(text, words)]
+    never = refused(words)
+    held = (
+        [] if facts is None else [c for c in never if c.holds(facts) and c not in compared_away(text, words)]
+    )
     others = other_than(never, held, [subject_of(change) for change in told])
-    if _OVERSIZED in held and _EASY in others and _is_moved_away(_EASY, told):
+    if _OVERSIZED in held and _EASY in others and is_moved_away(_EASY, told):
         others = tuple([g for g in others if g.claim.name != "fit"])
         sure.append(
             Wish(Gain(Claim("fit", "loose")), SURENESS["usual"] + 0.1)
         )  # "too baggy": less so at least
-    sure += [Wish(g, SURENESS["usual"] + 0.1) for g in others if not _is_moved_away(g, told)]
+    sure += [Wish(g, SURENESS["usual"] + 0.1) for g in others if not is_moved_away(g, told)]
     said = (*said, *others, Gain(Claim("fit", "loose")))
     taken = spoken.taken
     unsure: tuple[Change, ...] = ()
@@ -269,6 +280,11 @@ def _heard_changes(text: str, reader: WishReader, facts: GarmentFacts | None) ->
     if facts is not None:
         asked = [with_share(own, change, facts) for change in asked]
     sure = [replace(wish, change=change) for wish, change in zip(sure, asked, strict=True)]
+    if facts is not None:
+        steps = to_the_word([w.change for w in sure], facts)
+        sure = [w for w in sure if not steps or w.change not in _VAGUE] + [
+            Wish(s, SURENESS["certain"]) for s in steps
+        ]
     if one_leg := ONE_LEG.search(text):
         sure = [w for w in sure if subject_of(w.change) not in OF_LEGS]
         unsure, perhaps = (
@@ -276,6 +292,8 @@ def _heard_changes(text: str, reader: WishReader, facts: GarmentFacts | None) ->
             for some in (unsure, perhaps)
         )
         unread.append(f"{one_leg[0]} (both legs are cut alike)")
+    sure, unfit = of_its_kind(sure, kind)
+    unread += unfit
     changes = [wish.change for wish in sure]
     unread += other_garments(text, words, kind, changes)
     unread += {m.word: None for m in words.marks if m.role == "astray" and not m.denied}
@@ -344,46 +362,10 @@ def _is_strap(mark: WordMark) -> bool:
     return mark.word.lower() in ("strap", "straps") and not mark.denied
 
 
-def _less(text: str, words: WordReading) -> frozenset[Claim]:
-    """Refused by nothing but a word of change, which says what is to be otherwise: "not as wide"."""
-    spans = [(c.start, c.end) for c in find_changes(text.lower())]
-    return frozenset(
-        claim
-        for mark in words.marks
-        if mark.denied and any(a <= mark.start < b for a, b in spans)
-        for entry in mark.entries
-        for claim in entry.claims()
-    )
-
-
-def _refused(words: WordReading) -> tuple[Claim, ...]:
-    """What is refused; of a detail that means several things the first: not strapless may be sleeveless."""
-    beside = {
-        claim
-        for mark in words.marks
-        if mark.denied
-        for entry in mark.entries
-        if entry.category != "garments"
-        for claim in entry.claims("certain")[1:]
-    }
-    return tuple([claim for claim in words.never if claim not in beside])
-
-
 def _is_named(change: Change, part: str) -> bool:
     """Whether a clause speaks of what a change is about, or names no part at all."""
     named = {found.part for found in find_parts(part.lower())} - {"all"}
     return not named or any(subject_of(change) in subjects_of(each) for each in named)
-
-
-def _is_moved_away(gain: Gain, told: Sequence[Change]) -> bool:
-    """Whether a step leads away from what is refused already."""
-    moved = {
-        "fit": ("chest",), "neckline": ("neck depth", "neck width"), "skirt_hem": ("length",),
-        "sleeve_shape": ("sleeve width", "sleeve end", "sleeve head"),
-        "skirt": ("tier gathers", "tiers", "gores", "godets", "skirt hem", "skirt gathers"),
-    }  # fmt: skip
-    steps = {change.quantity for change in told if isinstance(change, Step)}
-    return bool(steps.intersection(moved.get(gain.claim.name, ())))
 
 
 def _still_unread(

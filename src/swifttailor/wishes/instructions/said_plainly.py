@@ -17,6 +17,10 @@ _COMPARISON = re.compile(
     r"(?:.*\s)?(?:more|less|too|so|as|that|not|never|hardly|barely|far|overly|how|\w+n['’]?t)(?:\s.*)?|\w{3,}er"
 )
 """Words of change that compare, and do not say what is done: "looser", "too tight", "not long enough"."""
+_FELT = frozenset(
+    {"feel", "feels", "look", "looks", "seem", "seems", "fits", "fit", "hate", "dislike", "find", "fix"}
+)
+"""What says that something is too wide, and nothing else."""
 _WORD = re.compile(r"[^\W\d_]+(?:['’-][^\W\d_]+)*")
 
 
@@ -68,18 +72,19 @@ def turned_round(text: str, spoken: SpokenChanges, whole: Mapping[Change, float]
             likeliest = max(same, key=lambda pair: pair[0], default=None)
             if likeliest is not None and likeliest[1].direction != step.direction:
                 found.append(step)
-    gone = {c.claim.name: p for c, p in whole.items() if isinstance(c, Gain) and c.claim.value == "none"}
     swapped = bool(away(text.lower()))  # it takes what goes for what is to come
     for change in clear_changes(spoken):
         if not isinstance(change, Gain):
             continue
-        rivals = [c for c, p in whole.items() if p > 0.5 and isinstance(c, Gain) and c.claim.name == change.claim.name]
-        if swapped and rivals:
-            found.append(change)
-        if change.claim.value == "none":
-            continue
-        asked = rf"(?<!\w)(?:an?|some|add|with) (?:[\w-]+ ){{0,2}}{change.claim.name}"
-        if gone.get(change.claim.name, 0.0) > 0.5 and re.search(asked, text.lower()):
+        name = change.claim.name
+        likely = {
+            c.claim.value
+            for c, p in whole.items()
+            if isinstance(c, Gain) and c.claim.name == name and p > 0.5
+        }
+        asked = rf"(?<!\w)(?:an?|some|add|with) (?:[\w-]+ ){{0,2}}{name}"
+        refused = change.claim.value == "none" and likely and "none" not in likely
+        if refused or (swapped and likely) or ("none" in likely and re.search(asked, text.lower())):
             found.append(change)
     return found
 
@@ -106,7 +111,8 @@ def _is_of_one(said: str, word: ChangeWord, *, alone: bool) -> bool:
     if parts:
         return len(parts) == 1
     return alone and all(
-        is_function_word(m[0]) or word.start <= m.start() < word.end for m in _WORD.finditer(said)
+        is_function_word(m[0]) or m[0] in _FELT or word.start <= m.start() < word.end
+        for m in _WORD.finditer(said)
     )
 
 

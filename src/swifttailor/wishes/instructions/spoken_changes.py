@@ -344,7 +344,8 @@ def _joined(
             clause = _with_next(text, clause, found[k + 1], parts, kind)
         whole = text[clause.start : clause.end].split()
         repeated = [c for c in clause.changes if isinstance(c, Step) and c.quantity in ("chest", "length")]
-        if joined and len(whole) == 1 and not named and repeated and len(clause.changes) == 1:
+        again = len(whole) == 1 and re.search(rf"(?<!\w){re.escape(whole[0])}(?!\w)", text[: clause.start])
+        if joined and again and not named and repeated and len(clause.changes) == 1:
             earlier = [c for one in joined for c in one.changes if isinstance(c, Step)]
             if any(
                 c.direction == repeated[0].direction and c.quantity != repeated[0].quantity for c in earlier
