@@ -72,6 +72,8 @@ def anew_from_known(wanted: Wanted, library: Callable[[], PatternLibrary | None]
             found = _kept_like(start, changes, original)
             if found is None or found.open or unasked(parts, original, found.facts, wanted.heard.kept):
                 continue
+            if whole and _hangs_otherwise(changes, original, found.facts):
+                continue
             cost = _changed_beside(changes, original, found.facts) + 0.5 * whole
             verdict = judged(found, wanted)
             if verdict.fault or (best is not None and cost >= best[0]):
@@ -190,6 +192,14 @@ def _differences(before: GarmentFacts, after: GarmentFacts) -> tuple[Change, ...
 
 def _is_of(change: Change, changes: Sequence[Change]) -> bool:
     return subject_of(change) in {subject_of(c) for c in changes}
+
+
+def _hangs_otherwise(changes: Sequence[Change], before: GarmentFacts, after: GarmentFacts) -> bool:
+    """Whether the hem of a top is another where nobody speaks of it: that of a blazer, whose fronts overlap."""
+    if {part_of(subject_of(change)) for change in changes} & {"hem", "bodice", None}:
+        return False
+    was, now = (QUANTITIES["top width"].of(facts) for facts in (before, after))
+    return was is not None and (now is None or QUANTITIES["top width"].seen(was, now))
 
 
 def _changed_beside(changes: Sequence[Change], before: GarmentFacts, after: GarmentFacts) -> float:

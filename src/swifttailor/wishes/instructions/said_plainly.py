@@ -83,8 +83,8 @@ def turned_round(text: str, spoken: SpokenChanges, whole: Mapping[Change, float]
             if isinstance(c, Gain) and c.claim.name == name and p > 0.5
         }
         asked = rf"(?<!\w)(?:an?|some|add|with) (?:[\w-]+ ){{0,2}}{name}"
-        refused = change.claim.value == "none" and likely and "none" not in likely
-        if refused or (swapped and likely) or ("none" in likely and re.search(asked, text.lower())):
+        gone = change.claim.value == "none"
+        if (likely and gone != swapped and (swapped or "none" not in likely)) or ("none" in likely and re.search(asked, text.lower())):
             found.append(change)
     return found
 

@@ -262,7 +262,7 @@ def read_clause(
     used += [(i.mark.start, i.mark.end) for i in claims]
     used += [(m.start, m.end) for m in numbers if not m.is_length or any(_has(c, m.value) for c in changes)]
     left = _left_over(text, bounds, used, words)
-    if changes:
+    if changes or any(lack.said and start <= lack.mark.start < end for lack in words.lacks):
         left = tuple([phrase for phrase in left if not _PLACES.fullmatch(phrase)])
     slits = any(isinstance(c, Gain) and c.claim.name == "slit" and c.claim.value != "none" for c in changes)
     if slits and length is not None:
