@@ -18,6 +18,7 @@ from swifttailor.describing.dimensions import QUANTITIES
 from swifttailor.describing.facts import GarmentFacts
 from swifttailor.errors import SwiftTailorError
 from swifttailor.pattern import Pattern
+from swifttailor.pattern.trims.names import CLOSES_FRONT
 from swifttailor.pattern_library.known import PatternLibrary
 from swifttailor.pattern_library.nearest import Weights, log_likelihoods
 from swifttailor.pattern_library.sought import Sought
@@ -65,6 +66,7 @@ def anew_from_known(wanted: Wanted, library: Callable[[], PatternLibrary | None]
     known, cutter, parts = library(), Cutter(edit), spoken_parts(changes)
     if known is None:
         return None
+    closed = parts is not None and any(name in CLOSES_FRONT for name in edit.trims)  # no known one is
     best: tuple[float, Answer] | None = None
     for number in _nearest(edit, changes, original, known)[:MOST_TRIED]:
         donor = Cutter(known.pattern(int(number)))
@@ -72,7 +74,7 @@ def anew_from_known(wanted: Wanted, library: Callable[[], PatternLibrary | None]
             found = _kept_like(start, changes, original)
             if found is None or found.open or unasked(parts, original, found.facts, wanted.heard.kept):
                 continue
-            if whole and _hangs_otherwise(changes, original, found.facts):
+            if whole and (closed or _hangs_otherwise(changes, original, found.facts)):
                 continue
             cost = _changed_beside(changes, original, found.facts) + 0.5 * whole
             verdict = judged(found, wanted)

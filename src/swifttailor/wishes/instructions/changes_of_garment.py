@@ -36,6 +36,13 @@ _ENDS = {
     "sleeves": "sleeve length",
 }
 """Claims of where something ends, and how long it is."""
+_LEGS_OF = {
+    ("trousers", "shorts"): "mid-thigh",
+    ("jumpsuit", "playsuit"): "mid-thigh",
+    ("shorts", "trousers"): "full",
+    ("playsuit", "jumpsuit"): "full",
+}
+"""Where the legs of a garment end that is to become another one with legs."""
 _COUNTED = frozenset({"godets", "tiers"})
 """Where there are none, so many more are so many."""
 _ELSE = {"top width": ("skirt hem", "chest"), "skirt hem": ("top width",), "waistband width": ("chest",)}
@@ -100,6 +107,24 @@ def _by_share(change: Change, share: float, facts: GarmentFacts) -> Change:
         return change
     measure = QUANTITIES[change.quantity].of(facts)
     return change if measure is None else replace(change, amount=round(share * measure, 2))
+
+
+def with_their_legs(told: Sequence[Change], facts: GarmentFacts) -> list[Change]:
+    """Where legs are to end, in place of shorts of trousers, and the other way round: else they are the same.
+
+    Args:
+        told: What is asked for.
+        facts: Of the garment.
+    """
+    if any(isinstance(c, Gain) and c.claim.name in ("leg_hem", "inseam_cm") for c in told):
+        return list(told)
+    found: list[Change] = []
+    for change in told:
+        ends = None
+        if isinstance(change, Gain) and change.claim.name == "kind":
+            ends = _LEGS_OF.get((named_kind(facts), str(change.claim.value)))
+        found.append(change if ends is None else Gain(Claim("leg_hem", ends)))
+    return found
 
 
 def in_step_with_hems(told: Sequence[Change], said: Callable[[Change], bool]) -> list[Change]:

@@ -27,6 +27,7 @@ from swifttailor.wishes.instructions.changes_of_garment import (
     made_where_lacking,
     named_kind,
     with_share,
+    with_their_legs,
     with_shares,
 )
 from swifttailor.wishes.instructions.described import with_their_names, without_described
@@ -53,6 +54,7 @@ from swifttailor.wishes.instructions.spoken_clauses import SpokenClause, other_t
 from swifttailor.wishes.instructions.spoken_of import OF_LEGS, ONE_LEG, is_of_places, parts_spoken_of
 from swifttailor.wishes.instructions.stated_figures import (
     by_the_number,
+    is_counted,
     is_stated,
     to_the_number,
     to_the_word,
@@ -281,6 +283,8 @@ def _heard_changes(text: str, reader: WishReader, facts: GarmentFacts | None) ->
         asked = [with_share(own, change, facts) for change in asked]
     sure = [replace(wish, change=change) for wish, change in zip(sure, asked, strict=True)]
     if facts is not None:
+        legs = with_their_legs([w.change for w in sure], facts)
+        sure = [next((w for w in sure if w.change == c), Wish(c, SURENESS["certain"])) for c in legs]
         steps = to_the_word([w.change for w in sure], facts)
         sure = [w for w in sure if not steps or w.change not in _VAGUE] + [
             Wish(s, SURENESS["certain"]) for s in steps
@@ -346,7 +350,7 @@ def _adds(change: Change, told: Sequence[Change], spoken: SpokenChanges, words: 
         subject_of(other) == subject and not go_together(change, other) for other in told
     ):
         return False
-    if is_stated(change, told):
+    if is_stated(change, told) or is_counted(change, told):
         return False
     if isinstance(change, Gain):
         if change.claim == _STRAPLESS and any(_is_strap(mark) for mark in words.marks):

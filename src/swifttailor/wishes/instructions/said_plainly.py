@@ -21,6 +21,8 @@ _FELT = frozenset(
     {"feel", "feels", "look", "looks", "seem", "seems", "fits", "fit", "hate", "dislike", "find", "fix"}
 )
 """What says that something is too wide, and nothing else."""
+_PARTICLE = 4
+"""Letters of the longest: down."""
 _WORD = re.compile(r"[^\W\d_]+(?:['’-][^\W\d_]+)*")
 
 
@@ -84,7 +86,9 @@ def turned_round(text: str, spoken: SpokenChanges, whole: Mapping[Change, float]
         }
         asked = rf"(?<!\w)(?:an?|some|add|with) (?:[\w-]+ ){{0,2}}{name}"
         gone = change.claim.value == "none"
-        if (likely and gone != swapped and (swapped or "none" not in likely)) or ("none" in likely and re.search(asked, text.lower())):
+        if (likely and gone != swapped and (swapped or "none" not in likely)) or (
+            "none" in likely and re.search(asked, text.lower())
+        ):
             found.append(change)
     return found
 
@@ -99,10 +103,16 @@ def _comparisons(text: str, spoken: SpokenChanges) -> list[tuple[SpokenClause, s
     for clause in spoken.clauses:
         said = text[clause.start : clause.end].lower()
         words = find_changes(said)
-        compares = words and all(_COMPARISON.fullmatch(said[w.start : w.end]) for w in words)
+        compares = words and all(_compares(said, word) for word in words)
         if compares and not clause.left_over:
             found.append((clause, said, words))
     return found
+
+
+def _compares(said: str, word: ChangeWord) -> bool:
+    """Whether a word of change compares, or is a verb with its particle: "take the waist in"."""
+    apart = word.verb is not None and word.verb[0] < word.start and word.end - word.start <= _PARTICLE
+    return apart or _COMPARISON.fullmatch(said[word.start : word.end]) is not None
 
 
 def _is_of_one(said: str, word: ChangeWord, *, alone: bool) -> bool:

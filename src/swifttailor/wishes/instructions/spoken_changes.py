@@ -73,6 +73,8 @@ _ALL_STAYS = re.compile(
 """What is excepted from it is to change: "everything stays apart from the skirt"."""
 _JOINED = re.compile(r"(?<!\w)(?:and|but|und|aber|et|mais|y|pero|e|ed|en|maar|ma|però|mas)\s+$")
 """Before a clause that goes on about what the one before it spoke of: "shorter sleeves and a bit wider"."""
+_OWN = re.compile(r"(?<!\w)(?:take|off|remove|lose|add|minus|cut|without|no|give|put)(?!\w)")
+"""What a clause says itself is to be done, so that it does not go on: "longer sleeves, and 5 cm off the hem"."""
 _GOING_ON = frozenset({"sleeves", "legs"})
 """Parts that a clause without one goes on about, even where they were not compared with what they were."""
 _ONES = frozenset({"skirt", "collar", "hood", "band"})
@@ -177,6 +179,7 @@ def spoken_changes(
         if (
             joined
             and grown
+            and not _OWN.search(small, start, end)
             and not any(start <= c.start < end for c in said)
             and is_of_parts(small, (start, end), inside)
         ):

@@ -78,7 +78,8 @@ _FROM_THERE = re.compile(
 )
 """Where along a part it is to change, and no length: "in from the knee down"."""
 _NARROWED_AT = re.compile(
-    r"(?<!\w)(?:below|above|at|around|near) the (?:knees?|elbows?|thighs?|calf|calves|ankles?)(?!\w)"
+    r"(?<!\w)(?:below|above|at|around|round|near|over|across|through|on|in) (?:the |my |her )"
+    r"(?:knees?|elbows?|thighs?|calf|calves|ankles?|shins?|wrists?)(?!\w)"
 )
 """The same where something is to be wider or narrower there: "narrow the legs below the knee"."""
 _AT_A_PLACE = re.compile(
@@ -226,9 +227,6 @@ def read_clause(
             missed.append(text[word.start : word.end])
     if missed and not changes:
         claims = others_said  # nothing becomes of "longer straps", and straps are there
-    if len(grown) == 1 and "&" in said and changes:
-        for part in {p.part for p in parts if p.part != "all"}:
-            changes += changes_of(part, grown[0].what, grown[0].sign, kind, length)
     sign = -1 if _LESS_BY.search(said) else 1 if is_more_by(text, numbers) else 0
     if not grown and length is not None and sign:
         for part in dict.fromkeys(

@@ -16,7 +16,7 @@ from swifttailor.wording.lexicon import Implication, WordMark, WordReading
 from swifttailor.wording.lexicon.inflection import Language
 
 _JOINTS = (
-    r"[.;:!?\n]+(?=\s|$)|,(?=\s)|\s[-+/]\s|\s(?:and(?! a half(?!\w))|but|then|und|aber|et|y|pero)\s"
+    r"[.;:!?]+(?=\s|$)|\n+|,(?=\s)|\s[-+/]\s|\s(?:and(?! a half(?!\w))|but|then|und|aber|et|y|pero)\s"
     r"|\sso\s(?=it|that|can|could|i\b|she|he|they)|(?<=\bsame)\s(?:only|just|with)\s"
     r"|\s(?=(?:except|apart from|other than|save for|außer|bis auf|sauf|salvo|excepto"
     r"|tranne|behalve|exceto)\s)"

@@ -90,6 +90,19 @@ def is_stated(change: Change, told: Sequence[Change]) -> bool:
     return change.claim.value != "none" and bool(names.intersection(_FIGURES.get(change.claim.name, ())))
 
 
+def is_counted(change: Change, told: Sequence[Change]) -> bool:
+    """Whether the number of a step is that of another already: of "shorten it by 5 cm" not of the sleeves, too.
+
+    Args:
+        change: What is read.
+        told: What is asked for.
+    """
+    if not isinstance(change, Step) or change.amount is None:
+        return False
+    amounts = [c.amount for c in told if isinstance(c, Step) and c.quantity != change.quantity]
+    return any(amount is not None and abs(amount - change.amount) < 0.05 for amount in amounts)
+
+
 def to_the_number(told: Sequence[Change], facts: GarmentFacts) -> list[Change]:
     """Figures that nearly hold, as steps to them: a leg opening of 60 cm is asked for, and 57 is near it.
 
@@ -137,7 +150,7 @@ def to_the_word(told: Sequence[Change], facts: GarmentFacts) -> list[Step]:
     return found
 
 
-_SLEEVES = {"cap": 0.14, "short": 0.36, "elbow": 0.53, "three-quarter": 0.73, "long": 0.98}
+_SLEEVES = {"cap": 0.14, "short": 0.36, "elbow": 0.53, "three-quarter": 0.73, "long": 0.98, "extra-long": 1.2}
 """Parts of the arm's length that are meant by words."""
 LEAST_CM = 1.0
 """What is nearer to a figure than this is as it is asked for."""
