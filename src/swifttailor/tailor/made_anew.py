@@ -197,7 +197,7 @@ def _is_of(change: Change, changes: Sequence[Change]) -> bool:
 
 
 def _hangs_otherwise(changes: Sequence[Change], before: GarmentFacts, after: GarmentFacts) -> bool:
-    """Whether the hem of a top is another where nobody speaks of it: that of a blazer, whose fronts overlap."""
+    """Whether the hem of a top is another where nobody speaks of it: that of a blazer that laps over."""
     if {part_of(subject_of(change)) for change in changes} & {"hem", "bodice", None}:
         return False
     was, now = (QUANTITIES["top width"].of(facts) for facts in (before, after))

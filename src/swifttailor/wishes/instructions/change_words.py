@@ -72,13 +72,13 @@ _RUNS = re.compile(
     r"(?:whole )?(?:front|back|sides?|left|right|centre|center|middle|seams?|legs?|sleeves?|arms?)(?!\w)"
 )
 _CLOSED = re.compile(
-    r"(?:zip(?:per)?|button|lac|tie|snap|popper|hook|done|do|fasten|slit|split|open|cut|stripe|piping|ruffle|frill)"
-    r"\w*(?: it)?(?: all the way| right| straight| open)?[ -]$"
+    r"(?:zip(?:per)?|button|lac|tie|snap|popper|hook|done|do|fasten|slit|split|open|cut|stripe|piping"
+    r"|ruffle|frill|stay|stand|hold|end|show)\w*(?: it)?(?: all the way| right| straight| open)?[ -]$"
 )
 
 
 def _is_of_closing(text: str, match: re.Match[str]) -> bool:
-    """Whether "up" or "down" says where a zip or buttons run, and moves no edge: "lace-up", "zip up the back"."""
+    """Whether "up" or "down" says where a zip runs, and moves no edge: "lace-up", "zip up the back"."""
     closed = _CLOSED.search(text[: match.start()]) is not None
     return closed and (
         _RUNS.match(text, match.start()) is not None
@@ -243,7 +243,8 @@ def _compiled() -> tuple[re.Pattern[str], dict[str, dict[str, tuple[Property, in
     lacking = (
         rf"{_NOT}(?: (?:quite|nearly|really|anywhere near|at all))? (?P<lacking>{adjective}) enough(?!\w)"
     )
-    pattern = rf"{lacking}|(?:(?P<more>{more})|(?P<less>{less})) {degree}(?P<adjective>{adjective})|(?P<grow>{grow})"
+    compared = rf"(?:(?P<more>{more})|(?P<less>{less})) {degree}(?P<adjective>{adjective})"
+    pattern = rf"{lacking}|{compared}|(?P<grow>{grow})"
     return re.compile(pattern), meaning
 
 

@@ -1,7 +1,7 @@
 """What an instruction names only because it is there: "make the long sleeves short", "long ones instead".
 
-The lexicon reads of two words for one thing the one that says more, so that of "make the crew neck a V" only the crew
-neck would be heard. What describes the garment is left out before anything else is read.
+The lexicon reads of two words for one thing the one that says more, so that of "make the crew neck a V" only
+the crew neck would be heard. What describes the garment is left out before anything else is read.
 """
 
 from __future__ import annotations
@@ -16,9 +16,10 @@ from swifttailor.wording.lexicon import WordMark, WordReading
 _POINTED_AT = re.compile(r"(?<!\w)(?:the|this|my|its|these|those|her|his)\s+$")
 _ENDS = re.compile(r"[.;!?\n]")
 _ONES = re.compile(
-    r"(?<!\w)(?P<how>long|short|longer|shorter|wide|wider|narrow|narrower|straight|flared|tight|tighter|loose|looser|slim"
-    r"|puffed|puffy|puff|balloon|bell|bishop|cap|elbow|elbow[- ]length|three[- ]quarter|3/4|round|square|tapered|full"
-    r"|high|higher|low|lower|thin|thinner|thick|thicker|plain|normal|regular) (?P<ones>ones?)(?=\s*(?:$|[.,;!?]|please|instead|rather|in place|and|but|would|for(?!\w)))"
+    r"(?<!\w)(?P<how>long|short|longer|shorter|wide|wider|narrow|narrower|straight|flared|tight|tighter"
+    r"|loose|looser|slim|puffed|puffy|puff|balloon|bell|bishop|cap|elbow|elbow[- ]length|three[- ]quarter|3/4"
+    r"|round|square|tapered|full|high|higher|low|lower|thin|thinner|thick|thicker|plain|normal|regular) (?P<ones>ones?)"
+    r"(?=\s*(?:$|[.,;!?]|please|instead|rather|in place|and|but|would|for(?!\w)))"
 )
 
 

@@ -27,8 +27,8 @@ from swifttailor.wishes.instructions.changes_of_garment import (
     made_where_lacking,
     named_kind,
     with_share,
-    with_their_legs,
     with_shares,
+    with_their_legs,
 )
 from swifttailor.wishes.instructions.described import with_their_names, without_described
 from swifttailor.wishes.instructions.girth_targets import with_targets
@@ -75,7 +75,6 @@ from swifttailor.wishes.instructions.whole_of_kind import of_kind
 from swifttailor.wishes.instructions.whole_sentences import is_letter, whole_of
 from swifttailor.wishes.instructions.without_looks import without_looks
 from swifttailor.wishes.reader import Wish, WishReader
-from swifttailor.wishes.text.mentions import find_mentions
 from swifttailor.wishes.text.spoken_measures import is_of_another, spoken_measures
 from swifttailor.wishes.text.text_as_read import ENGLISH, lacks_of, text_as_read
 from swifttailor.wishes.text.unread import not_understood, says_nothing_else, unread_numbers
@@ -238,6 +237,7 @@ def _heard_changes(text: str, reader: WishReader, facts: GarmentFacts | None) ->
                 return True
             return (change in clear and not unread) or spoken_of.speaks_of(change)
 
+        sure = [wish for wish in sure if not spoken_of.is_none_of(wish.change)]
         sure, alone = without_guesses(sure, whole, is_said)
         arms = any(subject_of(change) in _ARMS for change in firm)
         if any(p >= MEANT for c, p in whole.items() if isinstance(c, Gain) and c.claim.name == "kind"):

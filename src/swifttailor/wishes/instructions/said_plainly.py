@@ -21,8 +21,7 @@ _FELT = frozenset(
     {"feel", "feels", "look", "looks", "seem", "seems", "fits", "fit", "hate", "dislike", "find", "fix"}
 )
 """What says that something is too wide, and nothing else."""
-_PARTICLE = 4
-"""Letters of the longest: down."""
+_PARTICLES = frozenset({"in", "out", "up", "down"})
 _WORD = re.compile(r"[^\W\d_]+(?:['’-][^\W\d_]+)*")
 
 
@@ -111,8 +110,9 @@ def _comparisons(text: str, spoken: SpokenChanges) -> list[tuple[SpokenClause, s
 
 def _compares(said: str, word: ChangeWord) -> bool:
     """Whether a word of change compares, or is a verb with its particle: "take the waist in"."""
-    apart = word.verb is not None and word.verb[0] < word.start and word.end - word.start <= _PARTICLE
-    return apart or _COMPARISON.fullmatch(said[word.start : word.end]) is not None
+    changed = said[word.start : word.end]
+    apart = word.verb is not None and changed in _PARTICLES
+    return apart or _COMPARISON.fullmatch(changed) is not None
 
 
 def _is_of_one(said: str, word: ChangeWord, *, alone: bool) -> bool:

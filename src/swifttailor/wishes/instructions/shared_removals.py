@@ -14,7 +14,8 @@ _SHARED = re.compile(
     rf"(?P<other>{_PART})(?=\s*(?:$|[.,;!?&]|(?:and|or|but|please|too|as well|instead|for|then)(?!\w)))"
 )
 _LISTED = re.compile(
-    rf"(?<!\w)(?P<verb>remove the|no|without(?: the| an?| any)?) (?P<one>{_PART}), (?:the |its |my )?(?P<other>{_PART})"
+    rf"(?<!\w)(?P<verb>remove the|no|without(?: the| an?| any)?)"
+    rf" (?P<one>{_PART}), (?:the |its |my )?(?P<other>{_PART})"
     rf"(?=,? (?:and|or|&) (?:the |its |my )?{_PART}(?:\s*(?:$|[.,;!?])| please))"
 )
 

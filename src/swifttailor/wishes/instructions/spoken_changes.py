@@ -74,7 +74,7 @@ _ALL_STAYS = re.compile(
 _JOINED = re.compile(r"(?<!\w)(?:and|but|und|aber|et|mais|y|pero|e|ed|en|maar|ma|però|mas)\s+$")
 """Before a clause that goes on about what the one before it spoke of: "shorter sleeves and a bit wider"."""
 _OWN = re.compile(r"(?<!\w)(?:take|off|remove|lose|add|minus|cut|without|no|give|put)(?!\w)")
-"""What a clause says itself is to be done, so that it does not go on: "longer sleeves, and 5 cm off the hem"."""
+"""What a clause itself asks for, which does not go on then: "longer sleeves, and 5 cm off the hem"."""
 _GOING_ON = frozenset({"sleeves", "legs"})
 """Parts that a clause without one goes on about, even where they were not compared with what they were."""
 _ONES = frozenset({"skirt", "collar", "hood", "band"})
@@ -310,6 +310,11 @@ def _read_alone(text: str, clause: SpokenClause, kind: str, language: Language |
     details = [i for i in implied if i.said and i.certainty != "likely" and i.claim.name != "kind"]
     details = [i for i in details if not is_of_lack(text[clause.start : clause.end].lower(), i.mark, words)]
     said_of = find_parts(text[clause.start : clause.end].lower())
+    if find_changes(text[clause.start : clause.end].lower()):  # nothing becomes of "longer straps"
+        named = {(clause.start + p.start, clause.start + p.end) for p in said_of}
+        details = [
+            i for i in details if (clause.start + i.mark.start, clause.start + i.mark.end) not in named
+        ]
     details, _ = of_their_parts(text[clause.start : clause.end].lower(), details, said_of)
     gains = [Gain(i.claim) for i in details if fits_kind(i.claim.name, kind)]
     said = {word for i in details for word in i.mark.word.lower().split()}

@@ -83,7 +83,7 @@ _NARROWED_AT = re.compile(
 )
 """The same where something is to be wider or narrower there: "narrow the legs below the knee"."""
 _AT_A_PLACE = re.compile(
-    r"(?:on|at|round|around|over|across|in) (?:the |my |her |his )?(?:hips?|waist|bust|chest|knees?|thighs?)(?!\w)"
+    r"(?:on|at|round|around|over|across|in) (?:the |my |her )?(?:hips?|waist|bust|chest|knees?|thighs?)(?!\w)"
 )
 """Where something is to be wider or longer, and not where the garment is to sit: "bigger on the hips"."""
 _OPENED = re.compile(r"(?<!\w)(?:open|opened|opening)(?!\w)")
@@ -227,6 +227,9 @@ def read_clause(
             missed.append(text[word.start : word.end])
     if missed and not changes:
         claims = others_said  # nothing becomes of "longer straps", and straps are there
+    if len(grown) == 1 and "&" in said and changes:
+        for part in {p.part for p in parts if p.part != "all"}:
+            changes += changes_of(part, grown[0].what, grown[0].sign, kind, length)
     sign = -1 if _LESS_BY.search(said) else 1 if is_more_by(text, numbers) else 0
     if not grown and length is not None and sign:
         for part in dict.fromkeys(
@@ -326,7 +329,7 @@ def _is_it(word: str, kind: str) -> bool:
 
 
 def _within(mark: WordMark, grown: Sequence[ChangeWord]) -> bool:
-    """Whether a word is what is compared, with or without its part: the "tight sleeves" of less tight ones."""
+    """Whether a word is compared, with or without its part: the "tight sleeves" of less tight ones."""
     return any(word.start <= mark.start and mark.end <= word.end for word in grown) or _begins_within(
         mark, grown
     )

@@ -58,9 +58,13 @@ class SpokenOf:
 
     def least(self, change: Change) -> float:
         """How sure a network has to be that a change is meant, for it to be done."""
-        if self.lacking or (change == _UNEVEN and not self.sided):
+        if self.lacking or self.is_none_of(change):
             return NEVER
         return 0.0 if self.speaks_of(change) else UNNAMED
+
+    def is_none_of(self, change: Change) -> bool:
+        """Whether a change makes the sides unlike each other, of which it does not speak at all."""
+        return change == _UNEVEN and not self.sided
 
     def speaks_of(self, change: Change) -> bool:
         """Whether the part that a change is about is named."""

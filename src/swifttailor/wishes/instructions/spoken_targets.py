@@ -29,9 +29,10 @@ _SWAPPED = re.compile(
     r"(?P<old>(?:the|these|those|my|its|this|that|die|den|das|le|la|les|los|las)\s[^.;!?]+?)\s+(?:for|with|by|to|into|gegen|durch|par|por)(?!\w)"
     r"|(?<!\w)(?:sostituisci|vervang|troca|troque|substitua)\s+"
     r"(?P<swapped>(?:il|lo|la|i|gli|le|de|het|o|a|os|as)\s[^.;!?]+?)\s+(?:con|door|por)(?!\w)"
-    r"|(?<!\w)(?:make|can|could|should|have|let)\s+(?P<made>(?:the|these|those|my|its)\s[^.,;!?]+?)\s+(?:be\s+)?an?(?!\w)"
-    r"(?!\s(?:(?:little|tiny|wee) )?(?:bit|little|lot|tad|touch|smidge\w*|shade|fraction|hair|notch|size|couple|few|half|inch"
-    r"|cm|hand|finger|good|whole|full \w+ \w+er)(?!\w))"
+    r"|(?<!\w)(?:make|can|could|should|have|let)\s+"
+    r"(?P<made>(?:the|these|those|my|its)\s[^.,;!?]+?)\s+(?:be\s+)?an?(?!\w)"
+    r"(?!\s(?:(?:little|tiny|wee) )?(?:bit|little|lot|tad|touch|smidge\w*|shade|fraction|hair|notch|size"
+    r"|couple|few|half|inch|cm|hand|finger|good|whole|full \w+ \w+er)(?!\w))"
     r"|(?<!\w)(?:turn|make|convert|transform)\s+(?P<turned>(?:the|these|those|my|its)\s[^.,;!?]+?)\s+into(?!\w)"
     r"|(?<!\w)(?:instead of|in place of|rather than)\s+(?P<left>(?:the|these|those|my|its|an?)\s\w+(?: \w+)?)"
 )

@@ -8,6 +8,7 @@ from swifttailor.describing.claims import CLAIM_TYPES, claims_of
 from swifttailor.describing.differences import Change, Gain, Step, subject_of
 from swifttailor.describing.dimensions import QUANTITIES
 from swifttailor.describing.facts import GarmentFacts
+from swifttailor.recutting.unasked import part_of
 
 _FIGURES = {
     "waistband": ("waistband_cm",),
@@ -91,7 +92,7 @@ def is_stated(change: Change, told: Sequence[Change]) -> bool:
 
 
 def is_counted(change: Change, told: Sequence[Change]) -> bool:
-    """Whether the number of a step is that of another already: of "shorten it by 5 cm" not of the sleeves, too.
+    """Whether the number of a step is another's already: of "shorten it by 5 cm" not of the sleeves, too.
 
     Args:
         change: What is read.
@@ -99,7 +100,8 @@ def is_counted(change: Change, told: Sequence[Change]) -> bool:
     """
     if not isinstance(change, Step) or change.amount is None:
         return False
-    amounts = [c.amount for c in told if isinstance(c, Step) and c.quantity != change.quantity]
+    part = part_of(change.quantity)
+    amounts = [c.amount for c in told if isinstance(c, Step) and part_of(c.quantity) != part]
     return any(amount is not None and abs(amount - change.amount) < 0.05 for amount in amounts)
 
 
