@@ -65,6 +65,8 @@ def gain(name, value):
         ("make them shorts", "trousers", {gain("leg_hem", "mid-thigh")}),
         # Several things
         ("remove the collar and the cuffs", "shirt-dress", {gain("collar", "none"), gain("cuffs", "none")}),
+        ("longer sleeves, these aren't long enough", "t-shirt", {Step("sleeve length", 1)}),
+        ("tighter at the chest and a v neck", "shirt-dress", {Step("chest", -1), gain("neckline", "v")}),
         ("longer, looser", "t-shirt", {Step("length", 1), Step("chest", 1)}),
         (
             "looser sleeves, and take 5 cm off the hem",

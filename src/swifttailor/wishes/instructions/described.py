@@ -18,8 +18,8 @@ _ENDS = re.compile(r"[.;!?\n]")
 _ONES = re.compile(
     r"(?<!\w)(?P<how>long|short|longer|shorter|wide|wider|narrow|narrower|straight|flared|tight|tighter"
     r"|loose|looser|slim|puffed|puffy|puff|balloon|bell|bishop|cap|elbow|elbow[- ]length|three[- ]quarter|3/4"
-    r"|round|square|tapered|full|high|higher|low|lower|thin|thinner|thick|thicker|plain|normal|regular) (?P<ones>ones?)"
-    r"(?=\s*(?:$|[.,;!?]|please|instead|rather|in place|and|but|would|for(?!\w)))"
+    r"|round|square|tapered|full|high|higher|low|lower|thin|thinner|thick|thicker|plain|normal|regular)"
+    r" (?P<ones>ones?)(?=\s*(?:$|[.,;!?]|please|instead|rather|in place|and|but|would|for(?!\w)))"
 )
 
 

@@ -51,7 +51,7 @@ from swifttailor.wording.claim_kinds import fits_kind
 from swifttailor.wording.lexicon import Implication, WordReading, read_words
 from swifttailor.wording.lexicon.inflection import Language
 
-_THEM = re.compile(r"(?<!\w)(?:them|they|sie|les|las|los)(?!\w)")
+_THEM = re.compile(r"(?<!\w)(?:them|they|they're|these|those|sie|les|las|los)(?!\w)")
 _UNDENIED = re.compile(r"(?:in|out|so|too|as|that|overly)(?!\w)")
 """Words of change that are no less so for a "not": what is "not so tight" is to be wider."""
 _DENIED = re.compile(
@@ -73,7 +73,7 @@ _ALL_STAYS = re.compile(
 """What is excepted from it is to change: "everything stays apart from the skirt"."""
 _JOINED = re.compile(r"(?<!\w)(?:and|but|und|aber|et|mais|y|pero|e|ed|en|maar|ma|però|mas)\s+$")
 """Before a clause that goes on about what the one before it spoke of: "shorter sleeves and a bit wider"."""
-_OWN = re.compile(r"(?<!\w)(?:take|off|remove|lose|add|minus|cut|without|no|give|put)(?!\w)")
+_OWN = re.compile(r"(?<!\w)(?:take|off|remove|lose|add|minus|cut|without|no|give|put|an?)(?!\w)")
 """What a clause itself asks for, which does not go on then: "longer sleeves, and 5 cm off the hem"."""
 _GOING_ON = frozenset({"sleeves", "legs"})
 """Parts that a clause without one goes on about, even where they were not compared with what they were."""
