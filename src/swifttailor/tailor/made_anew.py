@@ -18,6 +18,7 @@ from swifttailor.describing.dimensions import QUANTITIES
 from swifttailor.describing.facts import GarmentFacts
 from swifttailor.errors import SwiftTailorError
 from swifttailor.pattern import Pattern
+from swifttailor.pattern.trims.names import CLOSES_FRONT
 from swifttailor.pattern_library.known import PatternLibrary
 from swifttailor.pattern_library.nearest import Weights, log_likelihoods
 from swifttailor.pattern_library.sought import Sought
@@ -65,12 +66,15 @@ def anew_from_known(wanted: Wanted, library: Callable[[], PatternLibrary | None]
     known, cutter, parts = library(), Cutter(edit), spoken_parts(changes)
     if known is None:
         return None
+    closed = parts is not None and any(name in CLOSES_FRONT for name in edit.trims)  # no known one is
     best: tuple[float, Answer] | None = None
     for number in _nearest(edit, changes, original, known)[:MOST_TRIED]:
         donor = Cutter(known.pattern(int(number)))
         for whole, start in _starts(cutter, donor, changes):
             found = _kept_like(start, changes, original)
             if found is None or found.open or unasked(parts, original, found.facts, wanted.heard.kept):
+                continue
+            if whole and (closed or _hangs_otherwise(changes, original, found.facts)):
                 continue
             cost = _changed_beside(changes, original, found.facts) + 0.5 * whole
             verdict = judged(found, wanted)
@@ -190,6 +194,14 @@ def _differences(before: GarmentFacts, after: GarmentFacts) -> tuple[Change, ...
 
 def _is_of(change: Change, changes: Sequence[Change]) -> bool:
     return subject_of(change) in {subject_of(c) for c in changes}
+
+
+def _hangs_otherwise(changes: Sequence[Change], before: GarmentFacts, after: GarmentFacts) -> bool:
+    """Whether the hem of a top is another where nobody speaks of it: that of a blazer that laps over."""
+    if {part_of(subject_of(change)) for change in changes} & {"hem", "bodice", None}:
+        return False
+    was, now = (QUANTITIES["top width"].of(facts) for facts in (before, after))
+    return was is not None and (now is None or QUANTITIES["top width"].seen(was, now))
 
 
 def _changed_beside(changes: Sequence[Change], before: GarmentFacts, after: GarmentFacts) -> float:

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from swifttailor.arrays import Pixels
 from swifttailor.describing.claims import Claim
-from swifttailor.describing.differences import Change, Gain
+from swifttailor.describing.differences import Change, Gain, subject_of
 from swifttailor.describing.facts import GarmentFacts
 from swifttailor.describing.measuring import measure_facts
 from swifttailor.errors import SwiftTailorError
@@ -54,6 +54,10 @@ _MERE_COLLAR = Gain(Claim("collar", "lapel"))
 _USUAL, _UNEXPECTED = 0.8, 0.35
 """Known patterns are preferred for what is usual where nobody speaks of it, and left for what is not."""
 _PERHAPS = 0.6
+_OF_THE_WAIST = frozenset(
+    {"bodice length", "waist_seam", "waistband", "waistband height", "kind", "shoulders"}
+)
+"""What a waist moves with."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -228,7 +232,9 @@ class Wanted:
             return None
         changes = [wish.change for wish in self.wishes]
         kept = self.heard.kept
-        recut = altered(self.order.edit, changes, self.original, keep_others=True, kept=kept)
+        recut = self._at_the_hem(changes)
+        if recut is None or recut.open:
+            recut = altered(self.order.edit, changes, self.original, keep_others=True, kept=kept)
         if recut is not None:
             recut = to_the_figures(recut, changes, self.original, kept)
         nearer = [] if recut is None else towards(recut.open, changes)
@@ -239,6 +245,17 @@ class Wanted:
             return recut
         missing = tuple([change for change in again.open if change not in nearer])
         return replace(again, done=recut.done, open=missing, cuts=(*recut.cuts, *again.cuts))
+
+    def _at_the_hem(self, changes: Sequence[Change]) -> Alteration | None:
+        """The pattern to edit with its waist where it was, where it is only to be longer or shorter.
+
+        A shorter bodice shortens a dress, too, where its hem is to be of some width besides.
+        """
+        subjects = {subject_of(change) for change in changes}
+        if self.order.edit is None or "length" not in subjects or subjects & _OF_THE_WAIST:
+            return None
+        kept = self.heard.kept | {"bodice length"}
+        return altered(self.order.edit, changes, self.original, keep_others=True, kept=kept)
 
     def request(self, attempt: int) -> Request:
         """What the network is asked.

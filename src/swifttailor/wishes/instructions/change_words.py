@@ -11,6 +11,10 @@ from swifttailor.wishes.instructions.change_parts import PARTS, Property
 from swifttailor.wording.word_tables import Row, read_table
 
 _TABLE = Path(__file__).with_name("change_words.txt")
+_NOT = (
+    r"(?<!\w)(?:not|never|hardly|barely|nowhere near|far from|(?:is|are|was|were|does|do)n['’]?t"
+    r"(?: feel| look| seem| sit| fall| fit)?)"
+)
 _PROPERTIES: tuple[Property, ...] = ("length", "width", "height", "depth")
 _SIGNS = {"+": 1, "-": -1}
 
@@ -46,7 +50,11 @@ def find_changes(text: str) -> list[ChangeWord]:
     pattern, meaning = _compiled()
     found = []
     for match in pattern.finditer(text):
-        if match["adjective"]:
+        if match["grow"] and _CLOSING.match(text, match.start()) and _is_of_closing(text, match):
+            continue
+        if match["lacking"]:
+            found.append(ChangeWord(match.start(), match.end(), *meaning["adjectives"][match["lacking"]]))
+        elif match["adjective"]:
             what, sign = meaning["adjectives"][match["adjective"]]
             found.append(ChangeWord(match.start(), match.end(), what, sign if match["more"] else -sign))
         else:
@@ -56,6 +64,27 @@ def find_changes(text: str) -> list[ChangeWord]:
         found = [w for w in found if not any(a < w.end and w.start < b for a, b in spans)]
         found.append(word)
     return sorted(found, key=lambda word: word.start)
+
+
+_CLOSING = re.compile(r"(?:up|down)(?!\w)")
+_RUNS = re.compile(
+    r"(?:up|down) (?:the |my |its |each |both |one |either )?(?:(?:centre|center|middle of the) )?"
+    r"(?:whole )?(?:front|back|sides?|left|right|centre|center|middle|seams?|legs?|sleeves?|arms?)(?!\w)"
+)
+_CLOSED = re.compile(
+    r"(?:zip(?:per)?|button|lac|tie|snap|popper|hook|done|do|fasten|slit|split|open|cut|stripe|piping"
+    r"|ruffle|frill|stay|stand|hold|end|show)\w*(?: it)?(?: all the way| right| straight| open)?[ -]$"
+)
+
+
+def _is_of_closing(text: str, match: re.Match[str]) -> bool:
+    """Whether "up" or "down" says where a zip runs, and moves no edge: "lace-up", "zip up the back"."""
+    closed = _CLOSED.search(text[: match.start()]) is not None
+    return closed and (
+        _RUNS.match(text, match.start()) is not None
+        or text[match.start() - 1] == "-"
+        or text[match.end() : match.end() + 1] in ("", ",", ".")
+    )
 
 
 _BEFORE = re.compile(
@@ -210,7 +239,12 @@ def _compiled() -> tuple[re.Pattern[str], dict[str, dict[str, tuple[Property, in
         )
     )
     degree = r"(?:(?:a )?(?:bit|lil|little|tad|tiny bit|touch) )?"
-    pattern = rf"(?:(?P<more>{more})|(?P<less>{less})) {degree}(?P<adjective>{adjective})|(?P<grow>{grow})"
+    # "Not long enough" asks for more of what "too long" asks for less of.
+    lacking = (
+        rf"{_NOT}(?: (?:quite|nearly|really|anywhere near|at all))? (?P<lacking>{adjective}) enough(?!\w)"
+    )
+    compared = rf"(?:(?P<more>{more})|(?P<less>{less})) {degree}(?P<adjective>{adjective})"
+    pattern = rf"{lacking}|{compared}|(?P<grow>{grow})"
     return re.compile(pattern), meaning
 
 

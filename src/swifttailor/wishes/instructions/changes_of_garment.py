@@ -29,6 +29,20 @@ _MADE = {
     "leg cuff length": Claim("leg_cuffs", "band"),
 }
 """What has to be there for a measure to grow."""
+_ENDS = {
+    "skirt_hem": "length",
+    "top_hem": "length",
+    "leg_hem": "leg length",
+    "sleeves": "sleeve length",
+}
+"""Claims of where something ends, and how long it is."""
+_LEGS_OF = {
+    ("trousers", "shorts"): "mid-thigh",
+    ("jumpsuit", "playsuit"): "mid-thigh",
+    ("shorts", "trousers"): "full",
+    ("playsuit", "jumpsuit"): "full",
+}
+"""Where the legs of a garment end that is to become another one with legs."""
 _COUNTED = frozenset({"godets", "tiers"})
 """Where there are none, so many more are so many."""
 _ELSE = {"top width": ("skirt hem", "chest"), "skirt hem": ("top width",), "waistband width": ("chest",)}
@@ -95,6 +109,24 @@ def _by_share(change: Change, share: float, facts: GarmentFacts) -> Change:
     return change if measure is None else replace(change, amount=round(share * measure, 2))
 
 
+def with_their_legs(told: Sequence[Change], facts: GarmentFacts) -> list[Change]:
+    """Where legs are to end, in place of shorts of trousers, and the other way round: else they are the same.
+
+    Args:
+        told: What is asked for.
+        facts: Of the garment.
+    """
+    if any(isinstance(c, Gain) and c.claim.name in ("leg_hem", "inseam_cm") for c in told):
+        return list(told)
+    found: list[Change] = []
+    for change in told:
+        ends = None
+        if isinstance(change, Gain) and change.claim.name == "kind":
+            ends = _LEGS_OF.get((named_kind(facts), str(change.claim.value)))
+        found.append(change if ends is None else Gain(Claim("leg_hem", ends)))
+    return found
+
+
 def in_step_with_hems(told: Sequence[Change], said: Callable[[Change], bool]) -> list[Change]:
     """Without amounts that nobody said of a length, where it is said where the hem is to end.
 
@@ -102,11 +134,8 @@ def in_step_with_hems(told: Sequence[Change], said: Callable[[Change], bool]) ->
         told: What is asked for.
         said: Whether a text has the number of a change.
     """
-    ends = {c.claim.name for c in told if isinstance(c, Gain)} & {"skirt_hem", "top_hem", "leg_hem"}
-    lengths = ("length", "leg length")
+    ends = {_ENDS[c.claim.name] for c in told if isinstance(c, Gain) and c.claim.name in _ENDS}
     return [
-        replace(c, amount=None)
-        if isinstance(c, Step) and ends and c.quantity in lengths and not said(c)
-        else c
+        replace(c, amount=None) if isinstance(c, Step) and c.quantity in ends and not said(c) else c
         for c in told
     ]

@@ -28,10 +28,25 @@ from swifttailor.wishes.instructions.changes_of_garment import (
     named_kind,
     with_share,
     with_shares,
+    with_their_legs,
 )
+from swifttailor.wishes.instructions.described import with_their_names, without_described
 from swifttailor.wishes.instructions.girth_targets import with_targets
-from swifttailor.wishes.instructions.left_unread import counts_elsewhere, not_answered, other_garments
+from swifttailor.wishes.instructions.left_unread import (
+    counts_elsewhere,
+    not_answered,
+    of_its_kind,
+    other_garments,
+)
 from swifttailor.wishes.instructions.one_meaning import in_one_meaning, still_in
+from swifttailor.wishes.instructions.refusals import compared_away, is_moved_away, refused
+from swifttailor.wishes.instructions.said_plainly import (
+    clear_changes,
+    compared_plainly,
+    is_all_plain,
+    says_how_much,
+    turned_round,
+)
 from swifttailor.wishes.instructions.sayings import plainly
 from swifttailor.wishes.instructions.spoken_amounts import by_a_bit
 from swifttailor.wishes.instructions.spoken_changes import SpokenChanges, spoken_changes
@@ -39,8 +54,10 @@ from swifttailor.wishes.instructions.spoken_clauses import SpokenClause, other_t
 from swifttailor.wishes.instructions.spoken_of import OF_LEGS, ONE_LEG, is_of_places, parts_spoken_of
 from swifttailor.wishes.instructions.stated_figures import (
     by_the_number,
+    is_counted,
     is_stated,
     to_the_number,
+    to_the_word,
     without_steps_to,
     without_vague_depth,
 )
@@ -58,11 +75,11 @@ from swifttailor.wishes.instructions.whole_of_kind import of_kind
 from swifttailor.wishes.instructions.whole_sentences import is_letter, whole_of
 from swifttailor.wishes.instructions.without_looks import without_looks
 from swifttailor.wishes.reader import Wish, WishReader
-from swifttailor.wishes.text.mentions import find_mentions
 from swifttailor.wishes.text.spoken_measures import is_of_another, spoken_measures
 from swifttailor.wishes.text.text_as_read import ENGLISH, lacks_of, text_as_read
 from swifttailor.wishes.text.unread import not_understood, says_nothing_else, unread_numbers
 from swifttailor.wishes.trims.trims_spoken_of import speaks_of_trims_alone
+from swifttailor.wording.claim_kinds import fits_kind
 from swifttailor.wording.lexicon import SURENESS, WordMark, WordReading, exclude, glossed_change, read_words
 
 SURE_IN_KNOWN_WORDS = 0.7
@@ -72,6 +89,7 @@ SURE_BESIDE = 0.97
 """Enough in a clause of an instruction that words alone explain in part."""
 
 
+_VAGUE = (Step("sleeve length", 1), Step("sleeve length", -1))
 _ARMS = frozenset({"left_sleeve", "right_sleeve"})
 _HIGH_SLIT, _SIDE_SLIT = Gain(Claim("slit_size", "high")), Gain(Claim("slit", "left"))
 _NO_SLIT, _STRAPLESS = Claim("slit", "none"), Claim("shoulders", "strapless")
@@ -107,22 +125,26 @@ def _heard_changes(text: str, reader: WishReader, facts: GarmentFacts | None) ->
     """
     kind = None if facts is None else named_kind(facts)
     text, words = text_as_read(text, kind)
+
+    def is_so(claim: Claim) -> bool:
+        return facts is not None and claim.holds(facts)
+
     own = text
     plain = plainly(text, kind or "dress")
     by_saying = plain != text.lower()
     plain = in_one_meaning(plain, words.language)
     plain = plain if facts is None else with_targets(plain, kind or "dress", facts)
+    named = with_their_names(plain.lower())
+    shown = without_described(named, words if named == text.lower() else read_words(named, kind=kind), is_so)
+    by_saying = by_saying or shown != plain.lower()
+    plain = shown
     if plain != text.lower():
         text, words = plain, read_words(plain, kind=kind, language=still_in(words.language))
-
-    def is_so(claim: Claim) -> bool:
-        return facts is not None and claim.holds(facts)
-
     spoken = spoken_changes(text, words, kind or "dress", is_so)
     put_plainly: list[Change] = []
     if by_saying:  # what somebody has written into a table is known better than guessed
         before = spoken_changes(own, text_as_read(own, kind)[1], kind or "dress", is_so).changes
-        put_plainly = [c for c in _clear(spoken) if c not in before]
+        put_plainly = [c for c in clear_changes(spoken) if c not in before]
     if facts is not None:
         spoken = with_shares(text, spoken, facts)
     told = undisputed(spoken.changes, spoken.disputed, len(own.split()))
@@ -165,6 +187,8 @@ def _heard_changes(text: str, reader: WishReader, facts: GarmentFacts | None) ->
         part = text[clause.start : clause.end]
         new = [w for w in found if _adds(w.change, told, spoken, words) and _is_named(w.change, part)]
         new = [w for w in new if subject_of(w.change) not in spoken.disputed]
+        if facts is not None:
+            new = [w for w in new if isinstance(w.change, Step) or fits_kind(w.change.claim.name, kind or "")]
         if told and facts is not None:  # what is so already describes what is there
             new = [w for w in new if isinstance(w.change, Step) or not w.change.holds(facts, facts)]
         certain = [w for w in sure_wishes(tuple(new)) if not clause.changes or w.certainty >= SURE_BESIDE]
@@ -175,24 +199,28 @@ def _heard_changes(text: str, reader: WishReader, facts: GarmentFacts | None) ->
         told += [w.change for w in certain]
         likely += [w for w in likely_wishes(tuple(new)) if w not in certain]
         unread += _still_unread(part, clause, certain, reader)
-    never = _refused(words)
-    held = [] if facts is None else [c for c in never if c.holds(facts) and c not in _less(text, words)]
+    never = refused(words)
+    held = (
+        [] if facts is None else [c for c in never if c.holds(facts) and c not in compared_away(text, words)]
+    )
     others = other_than(never, held, [subject_of(change) for change in told])
-    if _OVERSIZED in held and _EASY in others and _is_moved_away(_EASY, told):
+    if _OVERSIZED in held and _EASY in others and is_moved_away(_EASY, told):
         others = tuple([g for g in others if g.claim.name != "fit"])
         sure.append(
             Wish(Gain(Claim("fit", "loose")), SURENESS["usual"] + 0.1)
         )  # "too baggy": less so at least
-    sure += [Wish(g, SURENESS["usual"] + 0.1) for g in others if not _is_moved_away(g, told)]
+    sure += [Wish(g, SURENESS["usual"] + 0.1) for g in others if not is_moved_away(g, told)]
     said = (*said, *others, Gain(Claim("fit", "loose")))
     taken = spoken.taken
     unsure: tuple[Change, ...] = ()
     perhaps: tuple[Change, ...] = ()
-    if words.language == ENGLISH and not speaks_of_trims_alone(words):
-        whole, clear = whole_of(own, reader), _clear(spoken)
+    plain_words = speaks_of_trims_alone(words) or is_all_plain(text, spoken)
+    if words.language == ENGLISH and not plain_words:
+        whole, clear = whole_of(own, reader), clear_changes(spoken)
         whole = whole if facts is None or kind is None else of_kind(whole, kind, facts)
         firm = [change for _, some in taken for change in some] + put_plainly
-        firm += [c for c in said if is_of_places(c) or (c in clear and _says_how_much(own, c))]
+        firm += [*compared_plainly(text, spoken), *turned_round(text, spoken, whole)]
+        firm += [c for c in said if is_of_places(c) or (c in clear and says_how_much(own, c))]
         spoken_of = parts_spoken_of(own, kind)
         details = [Gain(i.claim) for i in words.implications if i.said]
         firm += [
@@ -209,6 +237,7 @@ def _heard_changes(text: str, reader: WishReader, facts: GarmentFacts | None) ->
                 return True
             return (change in clear and not unread) or spoken_of.speaks_of(change)
 
+        sure = [wish for wish in sure if not spoken_of.is_none_of(wish.change)]
         sure, alone = without_guesses(sure, whole, is_said)
         arms = any(subject_of(change) in _ARMS for change in firm)
         if any(p >= MEANT for c, p in whole.items() if isinstance(c, Gain) and c.claim.name == "kind"):
@@ -243,10 +272,23 @@ def _heard_changes(text: str, reader: WishReader, facts: GarmentFacts | None) ->
         guessed = [w for w in (*guessed, *alone) if part_of(subject_of(w.change)) not in parts]
         perhaps = tuple(dict.fromkeys([*perhaps, *[wish.change for wish in guessed]]))
     sure = sure if facts is None else closed_alone(sure, never, facts)
-    asked = in_step_with_hems([wish.change for wish in sure], lambda change: _says_how_much(own, change))
+    slight = {
+        change: by_a_bit(text[c.start : c.end].lower(), change)
+        for c in spoken.clauses
+        for change in c.changes
+    }
+    asked = [slight.get(wish.change, wish.change) for wish in sure]
+    asked = in_step_with_hems(asked, lambda change: says_how_much(own, change))
     if facts is not None:
         asked = [with_share(own, change, facts) for change in asked]
     sure = [replace(wish, change=change) for wish, change in zip(sure, asked, strict=True)]
+    if facts is not None:
+        legs = with_their_legs([w.change for w in sure], facts)
+        sure = [next((w for w in sure if w.change == c), Wish(c, SURENESS["certain"])) for c in legs]
+        steps = to_the_word([w.change for w in sure], facts)
+        sure = [w for w in sure if not steps or w.change not in _VAGUE] + [
+            Wish(s, SURENESS["certain"]) for s in steps
+        ]
     if one_leg := ONE_LEG.search(text):
         sure = [w for w in sure if subject_of(w.change) not in OF_LEGS]
         unsure, perhaps = (
@@ -254,6 +296,8 @@ def _heard_changes(text: str, reader: WishReader, facts: GarmentFacts | None) ->
             for some in (unsure, perhaps)
         )
         unread.append(f"{one_leg[0]} (both legs are cut alike)")
+    sure, unfit = of_its_kind(sure, kind)
+    unread += unfit
     changes = [wish.change for wish in sure]
     unread += other_garments(text, words, kind, changes)
     unread += {m.word: None for m in words.marks if m.role == "astray" and not m.denied}
@@ -262,14 +306,9 @@ def _heard_changes(text: str, reader: WishReader, facts: GarmentFacts | None) ->
     ]
     lacks = tuple([lack for lack in lacks_of(words, changes, measures) if lack.said])
     silent = tuple(dict.fromkeys(not_answered(unread, words)))
-    slight = {
-        change: by_a_bit(text[c.start : c.end].lower(), change)
-        for c in spoken.clauses
-        for change in c.changes
-    }
     return Heard(
         text,
-        tuple([replace(wish, change=slight.get(wish.change, wish.change)) for wish in sure]),
+        tuple(sure),
         tuple(likely),
         never,
         silent,
@@ -311,7 +350,7 @@ def _adds(change: Change, told: Sequence[Change], spoken: SpokenChanges, words: 
         subject_of(other) == subject and not go_together(change, other) for other in told
     ):
         return False
-    if is_stated(change, told):
+    if is_stated(change, told) or is_counted(change, told):
         return False
     if isinstance(change, Gain):
         if change.claim == _STRAPLESS and any(_is_strap(mark) for mark in words.marks):
@@ -322,62 +361,15 @@ def _adds(change: Change, told: Sequence[Change], spoken: SpokenChanges, words: 
     return True
 
 
-def _clear(spoken: SpokenChanges) -> list[Change]:
-    """What clauses ask for of which all words are accounted for."""
-    return [change for clause in spoken.clauses if not clause.left_over for change in clause.changes]
-
-
 def _is_strap(mark: WordMark) -> bool:
     """Whether straps are asked for, and not to go."""
     return mark.word.lower() in ("strap", "straps") and not mark.denied
-
-
-def _says_how_much(text: str, change: Change) -> bool:
-    """Whether a text has the number by which something is to change, and not only that it is to."""
-    amount = change.amount if isinstance(change, Step) else None
-    return amount is not None and any(abs(amount - m.value) < 0.1 for m in find_mentions(text))
-
-
-def _less(text: str, words: WordReading) -> frozenset[Claim]:
-    """Refused by nothing but a word of change, which says what is to be otherwise: "not as wide"."""
-    spans = [(c.start, c.end) for c in find_changes(text.lower())]
-    return frozenset(
-        claim
-        for mark in words.marks
-        if mark.denied and any(a <= mark.start < b for a, b in spans)
-        for entry in mark.entries
-        for claim in entry.claims()
-    )
-
-
-def _refused(words: WordReading) -> tuple[Claim, ...]:
-    """What is refused; of a detail that means several things the first: not strapless may be sleeveless."""
-    beside = {
-        claim
-        for mark in words.marks
-        if mark.denied
-        for entry in mark.entries
-        if entry.category != "garments"
-        for claim in entry.claims("certain")[1:]
-    }
-    return tuple([claim for claim in words.never if claim not in beside])
 
 
 def _is_named(change: Change, part: str) -> bool:
     """Whether a clause speaks of what a change is about, or names no part at all."""
     named = {found.part for found in find_parts(part.lower())} - {"all"}
     return not named or any(subject_of(change) in subjects_of(each) for each in named)
-
-
-def _is_moved_away(gain: Gain, told: Sequence[Change]) -> bool:
-    """Whether a step leads away from what is refused already."""
-    moved = {
-        "fit": ("chest",), "neckline": ("neck depth", "neck width"), "skirt_hem": ("length",),
-        "sleeve_shape": ("sleeve width", "sleeve end", "sleeve head"),
-        "skirt": ("tier gathers", "tiers", "gores", "godets", "skirt hem", "skirt gathers"),
-    }  # fmt: skip
-    steps = {change.quantity for change in told if isinstance(change, Step)}
-    return bool(steps.intersection(moved.get(gain.claim.name, ())))
 
 
 def _still_unread(

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from swifttailor.describing.differences import Change, Gain, Step
+from swifttailor.describing.differences import Change, Gain, Step, subject_of
 from swifttailor.wishes.instructions.spoken_amounts import share_of
+from swifttailor.wishes.reader import Wish
 from swifttailor.wishes.text.mentions import find_mentions
+from swifttailor.wording.claim_kinds import fits_kind
 from swifttailor.wording.lexicon import Entry, WordReading
 
 
@@ -23,6 +25,35 @@ def other_garments(text: str, words: WordReading, kind: str | None, changes: Seq
         if not mark.denied and mark.entries and mark.entries[0].category == "garments" and joined:
             found += [] if kind in named else [mark.word]
     return found
+
+
+_WITHOUT_SOME = frozenset({"skirt", "trousers", "shorts", "jumpsuit", "playsuit"})
+
+
+def of_its_kind(wishes: Sequence[Wish], kind: str | None) -> tuple[list[Wish], list[str]]:
+    """Without what garments of a kind cannot have, which would make another garment of it: slits in trousers.
+
+    Args:
+        wishes: What is asked for.
+        kind: Of the garment; None where that is not known.
+
+    Returns:
+        The others, and in words what is left out.
+    """
+    kinds = [
+        w.change for w in wishes if isinstance(w.change, Gain) and w.change.claim.name in ("kind", "skirt")
+    ]
+    if kind not in _WITHOUT_SOME or kinds:
+        return list(wishes), []
+    unfit = [
+        w
+        for w in wishes
+        if isinstance(w.change, Gain)
+        and w.change.claim.name != "sides"
+        and not fits_kind(w.change.claim.name, kind)
+    ]
+    names = dict.fromkeys([subject_of(w.change).replace("_", " ") for w in unfit])
+    return [w for w in wishes if w not in unfit], [f"{name} (not of {kind})" for name in names]
 
 
 def counts_elsewhere(number: str, text: str, changes: Sequence[Change]) -> bool:

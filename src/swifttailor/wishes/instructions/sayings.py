@@ -12,6 +12,7 @@ from functools import cache
 from pathlib import Path
 
 from swifttailor.wishes.instructions.change_words import find_changes, find_parts
+from swifttailor.wishes.instructions.shared_removals import parted
 from swifttailor.wishes.text.sayings_table import SayingsTable, read_sayings
 
 _TABLE = Path(__file__).with_name("sayings.txt")
@@ -44,6 +45,7 @@ def plainly(text: str, kind: str) -> str:
     for saying in table.sayings:
         if not saying.kinds or kind in saying.kinds:
             text = saying.pattern.sub(lambda found, plain=saying.plain: _filled(found, plain, kind), text)
+    text = parted(_rule("and").sub(" and ", text))
     text = _rule("made_of_it").sub(lambda found: found[0] if _asks_something(found[0]) else "", text)
     text = _rule("looks").sub("", text) if len(re.split(r"[.;,!?]", text)) > 1 else text
     text = _rule("close_around").sub(

@@ -51,7 +51,7 @@ from swifttailor.wording.claim_kinds import fits_kind
 from swifttailor.wording.lexicon import Implication, WordReading, read_words
 from swifttailor.wording.lexicon.inflection import Language
 
-_THEM = re.compile(r"(?<!\w)(?:them|they|sie|les|las|los)(?!\w)")
+_THEM = re.compile(r"(?<!\w)(?:them|they|they're|these|those|sie|les|las|los)(?!\w)")
 _UNDENIED = re.compile(r"(?:in|out|so|too|as|that|overly)(?!\w)")
 """Words of change that are no less so for a "not": what is "not so tight" is to be wider."""
 _DENIED = re.compile(
@@ -73,6 +73,8 @@ _ALL_STAYS = re.compile(
 """What is excepted from it is to change: "everything stays apart from the skirt"."""
 _JOINED = re.compile(r"(?<!\w)(?:and|but|und|aber|et|mais|y|pero|e|ed|en|maar|ma|però|mas)\s+$")
 """Before a clause that goes on about what the one before it spoke of: "shorter sleeves and a bit wider"."""
+_OWN = re.compile(r"(?<!\w)(?:take|off|remove|lose|add|minus|cut|without|no|give|put|an?)(?!\w)")
+"""What a clause itself asks for, which does not go on then: "longer sleeves, and 5 cm off the hem"."""
 _GOING_ON = frozenset({"sleeves", "legs"})
 """Parts that a clause without one goes on about, even where they were not compared with what they were."""
 _ONES = frozenset({"skirt", "collar", "hood", "band"})
@@ -177,6 +179,7 @@ def spoken_changes(
         if (
             joined
             and grown
+            and not _OWN.search(small, start, end)
             and not any(start <= c.start < end for c in said)
             and is_of_parts(small, (start, end), inside)
         ):
@@ -229,7 +232,7 @@ def spoken_changes(
         taken.append((text[scene.start : scene.end], scene.changes))
     found = _joined(small, found, mentions, parts, kind)
     found = without_what_is_so([at_the_neck(small, c, is_so) for c in found], is_so)
-    clashes = clashes_of(found, words, is_so)
+    clashes = clashes_of(found, words, is_so, [(c.start, c.end) for c in changes])
     wanted = [change for clause in found for change in clause.changes]
     dropped = {subject for *_, subject in clashes}
     careful = any(
@@ -307,6 +310,11 @@ def _read_alone(text: str, clause: SpokenClause, kind: str, language: Language |
     details = [i for i in implied if i.said and i.certainty != "likely" and i.claim.name != "kind"]
     details = [i for i in details if not is_of_lack(text[clause.start : clause.end].lower(), i.mark, words)]
     said_of = find_parts(text[clause.start : clause.end].lower())
+    if find_changes(text[clause.start : clause.end].lower()):  # nothing becomes of "longer straps"
+        named = {(clause.start + p.start, clause.start + p.end) for p in said_of}
+        details = [
+            i for i in details if (clause.start + i.mark.start, clause.start + i.mark.end) not in named
+        ]
     details, _ = of_their_parts(text[clause.start : clause.end].lower(), details, said_of)
     gains = [Gain(i.claim) for i in details if fits_kind(i.claim.name, kind)]
     said = {word for i in details for word in i.mark.word.lower().split()}
@@ -344,7 +352,8 @@ def _joined(
             clause = _with_next(text, clause, found[k + 1], parts, kind)
         whole = text[clause.start : clause.end].split()
         repeated = [c for c in clause.changes if isinstance(c, Step) and c.quantity in ("chest", "length")]
-        if joined and len(whole) == 1 and not named and repeated and len(clause.changes) == 1:
+        again = len(whole) == 1 and re.search(rf"(?<!\w){re.escape(whole[0])}(?!\w)", text[: clause.start])
+        if joined and again and not named and repeated and len(clause.changes) == 1:
             earlier = [c for one in joined for c in one.changes if isinstance(c, Step)]
             if any(
                 c.direction == repeated[0].direction and c.quantity != repeated[0].quantity for c in earlier

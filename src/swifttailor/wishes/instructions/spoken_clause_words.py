@@ -57,6 +57,10 @@ _OF_HEMS = frozenset(
 )
 """What is said of a skirt, where no part is named."""
 _PRONOUNS = frozenset({"it", "them", "es", "ihn"})
+_EVERYWHERE = frozenset({"all", "waist", "hips", "chest", "hem", "back", "lower"})
+"""Where something is said of a garment; straps that are to be longer lengthen no dress."""
+_DEEP = frozenset({"hood", "collar", "cuffs", "band", "armholes", "back", "back_neck"})
+"""What "too shallow" is said of where it was spoken of just before, and not of the neckline."""
 _GIRTHS = frozenset({"chest", "waist", "hips", "thigh", "armholes", "shoulders", "leg_end", "sleeve_end"})
 _AROUND = re.compile(r"flare|(?<!\w)(?:sweep|circumference|girth)(?!\w)")
 _TAKEN_OUT = re.compile(r"(?<!\w)(?:take|get|pull|taking)(?!\w)[^.]*(?<!\w)out(?!\w)")
@@ -74,9 +78,14 @@ _FROM_THERE = re.compile(
 )
 """Where along a part it is to change, and no length: "in from the knee down"."""
 _NARROWED_AT = re.compile(
-    r"(?<!\w)(?:below|above|at|around|near) the (?:knees?|elbows?|thighs?|calf|calves|ankles?)(?!\w)"
+    r"(?<!\w)(?:below|above|at|around|round|near|over|across|through|on|in) (?:the |my |her )"
+    r"(?:knees?|elbows?|thighs?|calf|calves|ankles?|shins?|wrists?)(?!\w)"
 )
 """The same where something is to be wider or narrower there: "narrow the legs below the knee"."""
+_AT_A_PLACE = re.compile(
+    r"(?:on|at|round|around|over|across|in) (?:the |my |her )?(?:hips?|waist|bust|chest|knees?|thighs?)(?!\w)"
+)
+"""Where something is to be wider or longer, and not where the garment is to sit: "bigger on the hips"."""
 _OPENED = re.compile(r"(?<!\w)(?:open|opened|opening)(?!\w)")
 _DRAGS = re.compile(
     r"(?<!\w)(?:drag|drags|dragging|trip|tripping|sweeps|sweeping|trails|trailing)(?!\w)[^.;]*(?<!\w)(?:floor|ground)(?!\w)"
@@ -138,12 +147,16 @@ def read_clause(
         places.append((start + drags.start(), start + drags.end()))
     claims, ruffled = of_their_parts(said, claims, parts)
     details = [i for i in claims if i.mark.entries[0].category != "parts"]
-    spans = [(i.mark.start, i.mark.end) for i in details]
+    spans = [(i.mark.start, i.mark.end) for i in details if not _is_bare(i.mark, parts)]
     if not _DRAGS.search(said):
-        spans += [(m.start, m.end) for m in words.marks if start <= m.start < end and _is_of_shape(m)]
+        shapes = [m for m in words.marks if start <= m.start < end and _is_of_shape(m)]
+        spans += [(m.start, m.end) for m in shapes if not _within(m, grown)]
     # What is said of a detail is no change: "a low neckline" is not lowered by being called so.
     grown = [c for c in grown if not any(a <= c.start < b for a, b in spans)]
     if grown:
+        if any(c.what != "height" for c in grown):
+            claims = [i for i in claims if not _AT_A_PLACE.match(i.mark.word.lower())]
+        details = [i for i in details if i in claims]
         # "a deeper V" of a V neck and "smaller puffed sleeves" of puffed ones name what is there.
         so = [i for i in details if is_so(i.claim)]
         claims = [i for i in claims if i not in so]
@@ -187,8 +200,9 @@ def read_clause(
         spoken_of = last if named in (None, "all") and all(p.word in _PRONOUNS for p in parts) else named
         if spoken_of == "slit" and not made:
             made = slit_step(word, is_so, amount)
-        others = () if is_lacking(named, kind) else (last, None)
-        for part in (named or (last if bare or them else None), *others):
+        others = (last, None) if named in (None, *_EVERYWHERE) and not is_lacking(named, kind) else ()
+        of_last = bare or them or (word.what == "depth" and last in _DEEP)
+        for part in (named or (last if of_last else None), *others):
             made = made or changes_of(part, word.what, word.sign, kind, amount)
         if (
             named in (None, "all")
@@ -204,12 +218,15 @@ def read_clause(
             made = changes_of("waist", "width", word.sign, kind, amount)
         made = made if target is None else to_target(made, target)
         changes += made
-        if made or claims:
+        others_said = [i for i in details if not _is_bare(i.mark, parts)]
+        if made or others_said or (claims and named is None):
             used.append((word.start, word.end))
             if word.verb is not None:
                 used.append(word.verb)
         else:
             missed.append(text[word.start : word.end])
+    if missed and not changes:
+        claims = others_said  # nothing becomes of "longer straps", and straps are there
     if len(grown) == 1 and "&" in said and changes:
         for part in {p.part for p in parts if p.part != "all"}:
             changes += changes_of(part, grown[0].what, grown[0].sign, kind, length)
@@ -246,7 +263,7 @@ def read_clause(
     used += [(i.mark.start, i.mark.end) for i in claims]
     used += [(m.start, m.end) for m in numbers if not m.is_length or any(_has(c, m.value) for c in changes)]
     left = _left_over(text, bounds, used, words)
-    if changes:
+    if changes or any(lack.said and start <= lack.mark.start < end for lack in words.lacks):
         left = tuple([phrase for phrase in left if not _PLACES.fullmatch(phrase)])
     slits = any(isinstance(c, Gain) and c.claim.name == "slit" and c.claim.value != "none" for c in changes)
     if slits and length is not None:
@@ -312,7 +329,19 @@ def _is_it(word: str, kind: str) -> bool:
 
 
 def _within(mark: WordMark, grown: Sequence[ChangeWord]) -> bool:
-    return any(word.start <= mark.start and mark.end <= word.end for word in grown)
+    """Whether a word is compared, with or without its part: the "tight sleeves" of less tight ones."""
+    return any(word.start <= mark.start and mark.end <= word.end for word in grown) or _begins_within(
+        mark, grown
+    )
+
+
+def _is_bare(mark: WordMark, parts: Sequence[PartWord]) -> bool:
+    """Whether a word is nothing but the name of a part."""
+    return any(part.start == mark.start and part.end == mark.end for part in parts)
+
+
+def _begins_within(mark: WordMark, grown: Sequence[ChangeWord]) -> bool:
+    return any(word.start < mark.start < word.end for word in grown)
 
 
 def _has(change: Change, value: float) -> bool:

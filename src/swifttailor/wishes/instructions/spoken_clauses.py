@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Collection, Iterable, Sequence
 from dataclasses import dataclass, replace
 
 from swifttailor.describing.claims import Claim
@@ -44,9 +44,19 @@ _ONE_OR_OTHER = frozenset({"skirt", "sleeve_shape"})
 
 
 def clashes_of(
-    found: Sequence[SpokenClause], words: WordReading, is_so: Callable[[Claim], bool]
+    found: Sequence[SpokenClause],
+    words: WordReading,
+    is_so: Callable[[Claim], bool],
+    compared: Collection[tuple[int, int]] = (),
 ) -> list[tuple[str, str, str]]:
-    """Pairs of wishes that exclude each other, in words, with the subject of each."""
+    """Pairs of wishes that exclude each other, in words, with the subject of each.
+
+    Args:
+        found: Of each clause.
+        words: By the lexicon.
+        is_so: Whether a claim is true of the garment.
+        compared: Where words of change stand, which say what is to be otherwise: "I hate sleeves so long".
+    """
     changes = list(dict.fromkeys([change for clause in found for change in clause.changes]))
     clashes = []
     for k, one in enumerate(changes):
@@ -57,6 +67,8 @@ def clashes_of(
     for pair in words.contradictions:
         if pair.first.word.lower() == pair.second.word.lower():
             continue  # one that is there, and what becomes of it
+        if any(a <= mark.start < b for mark in (pair.first, pair.second) for a, b in compared):
+            continue
         first, second = (_claims_of(mark, words) for mark in (pair.first, pair.second))
         opposite = {c for a in first for b in second if exclude(a, b) for c in (a, b)}
         said = [i.claim for i in words.implications if i.mark in (pair.first, pair.second)]

@@ -11,7 +11,7 @@ import re
 from collections.abc import Set
 from dataclasses import dataclass
 
-from swifttailor.describing.claims import CLAIM_TYPES
+from swifttailor.describing.claims import CLAIM_TYPES, Claim
 from swifttailor.describing.differences import Change, Gain, subject_of
 from swifttailor.recutting.unasked import part_of
 from swifttailor.wishes.instructions.change_parts import subjects_of
@@ -33,6 +33,10 @@ ONE_LEG = re.compile(
 OF_LEGS = frozenset(
     {"legs", "leg_hem", "leg_cuffs", "leg length", "leg end", "leg cuff length", "thigh", "inseam_cm"}
 )
+_UNEVEN = Gain(Claim("sides", "different"))
+_OF_SIDES = re.compile(
+    r"(?<!\w)(?:left|right|sides?|one|half|halves|a?symm?et\w*|uneven|unequal|lopsided|odd|mismatch\w*)(?!\w)"
+)
 _SIDED = frozenset({"left_sleeve", "right_sleeve"})
 _OF_GARMENTS = frozenset({"sleeves", "collar", "hood", "straps", "skirt"})
 """Parts that are not called like places of the body."""
@@ -47,14 +51,20 @@ class SpokenOf:
 
     parts: Set[str]
     """As `recutting.unasked` has them."""
+    sided: bool = True
+    """Whether it speaks of sides at all: "a different colour" makes none unlike the other."""
     lacking: bool = False
     """Whether the garment has none of those that are named."""
 
     def least(self, change: Change) -> float:
         """How sure a network has to be that a change is meant, for it to be done."""
-        if self.lacking:
+        if self.lacking or self.is_none_of(change):
             return NEVER
         return 0.0 if self.speaks_of(change) else UNNAMED
+
+    def is_none_of(self, change: Change) -> bool:
+        """Whether a change makes the sides unlike each other, of which it does not speak at all."""
+        return change == _UNEVEN and not self.sided
 
     def speaks_of(self, change: Change) -> bool:
         """Whether the part that a change is about is named."""
@@ -73,7 +83,8 @@ def parts_spoken_of(text: str, kind: str | None) -> SpokenOf:
     parts = {part for some in subjects.values() for each in some if (part := part_of(each)) is not None}
     parts |= {part for name in named for part in _OF_BODIES.get(name, ())}
     lacking = bool(named) and kind is not None and all(is_lacking(name, kind) for name in named)
-    return SpokenOf(frozenset(parts), lacking)
+    sided = bool(named) or _OF_SIDES.search(text.lower()) is not None
+    return SpokenOf(frozenset(parts), sided, lacking)
 
 
 def is_lacking(part: str | None, kind: str) -> bool:

@@ -62,13 +62,16 @@ def hem_shape(
     longer = word.sign > 0 if word.what == "length" else word.sign < 0
     if side["left"] or side["right"]:
         return (Gain(Claim("hem_shape", f"lower {'left' if bool(side['left']) == longer else 'right'}")),)
+    if word.what == "height" and part not in ("hem", "skirt") and kind != "skirt":
+        # "Too low in front" is said of the neckline where no hem is named.
+        quantity = "neck depth" if side["front"] else "back depth"
+        return (Step(quantity, 1 if longer else -1, amount),)
     behind = bool(side["back"]) == longer
     if amount is not None and (word.what == "length" or part in ("hem", "skirt")):
         return (Step("dip", 1 if behind else -1, amount),)
     if behind:
         return (Gain(Claim("hem_shape", "high-low")),)
-    # "Lower in front" without a word for the hem is more likely said of the neckline.
-    return (Step("dip", -1),) if word.what == "length" or part in ("hem", "skirt") else ()
+    return (Step("dip", -1),)
 
 
 def slit(said: str, denied: bool) -> list[Change]:

@@ -16,7 +16,7 @@ from swifttailor.wording.lexicon import Implication, WordMark, WordReading
 from swifttailor.wording.lexicon.inflection import Language
 
 _JOINTS = (
-    r"[.;:!?\n]+(?=\s|$)|,(?=\s)|\s[-+/]\s|\s(?:and(?! a half(?!\w))|but|then|und|aber|et|y|pero)\s"
+    r"[.;:!?]+(?=\s|$)|\n+|,(?=\s)|\s[-+/]\s|\s(?:and(?! a half(?!\w))|but|then|und|aber|et|y|pero)\s"
     r"|\sso\s(?=it|that|can|could|i\b|she|he|they)|(?<=\bsame)\s(?:only|just|with)\s"
     r"|\s(?=(?:except|apart from|other than|save for|außer|bis auf|sauf|salvo|excepto"
     r"|tranne|behalve|exceto)\s)"
@@ -29,6 +29,10 @@ _SWAPPED = re.compile(
     r"(?P<old>(?:the|these|those|my|its|this|that|die|den|das|le|la|les|los|las)\s[^.;!?]+?)\s+(?:for|with|by|to|into|gegen|durch|par|por)(?!\w)"
     r"|(?<!\w)(?:sostituisci|vervang|troca|troque|substitua)\s+"
     r"(?P<swapped>(?:il|lo|la|i|gli|le|de|het|o|a|os|as)\s[^.;!?]+?)\s+(?:con|door|por)(?!\w)"
+    r"|(?<!\w)(?:make|can|could|should|have|let)\s+"
+    r"(?P<made>(?:the|these|those|my|its)\s[^.,;!?]+?)\s+(?:be\s+)?an?(?!\w)"
+    r"(?!\s(?:(?:little|tiny|wee) )?(?:bit|little|lot|tad|touch|smidge\w*|shade|fraction|hair|notch|size"
+    r"|couple|few|half|inch|cm|hand|finger|good|whole|full \w+ \w+er)(?!\w))"
     r"|(?<!\w)(?:turn|make|convert|transform)\s+(?P<turned>(?:the|these|those|my|its)\s[^.,;!?]+?)\s+into(?!\w)"
     r"|(?<!\w)(?:instead of|in place of|rather than)\s+(?P<left>(?:the|these|those|my|its|an?)\s\w+(?: \w+)?)"
 )
@@ -40,6 +44,10 @@ _BESIDE_NUMBERS = frozenset(
 )
 _HALF_DONE = frozenset({"wrap"})
 """What cannot be made and goes with something that alone is no part of it: a V neck makes no wrap."""
+_OF_A_PART = re.compile(
+    r"(?<!\w)(?:skirt|trousers|pants|shorts|legs|bottom|bottoms|half|part|top|bodice|switch|change|swap|go)\s*$"
+)
+"""Before "to" or "into": a part of the garment is to become another, or something unsaid."""
 _PARTS_OF = {"dress": ("skirt", "top"), "jumpsuit": ("trousers", "top"), "playsuit": ("shorts", "top")}
 
 
@@ -101,7 +109,7 @@ def away(text: str) -> list[tuple[int, int]]:
     return [
         m.span(name)
         for m in _SWAPPED.finditer(text)
-        for name in ("old", "swapped", "turned", "left")
+        for name in ("old", "swapped", "made", "turned", "left")
         if m[name] is not None
     ]
 
@@ -153,7 +161,8 @@ def _is_target(text: str, mark: WordMark, value: str, kind: str, language: Langu
 def _turns_into(text: str, mark: WordMark) -> bool:
     """Whether a garment is to become what could be a part of it: "with a straight skirt" it has one."""
     said = r"(?<!\w)(?:into|to|as|->|als|zu|zu einem|zu einer|en)\s+(?:(?:an?|une?|una|some)\s+)?(?:\w+\s+)?$"
-    return re.search(said, text[: mark.start]) is not None
+    found = re.search(said, text[: mark.start])
+    return found is not None and _OF_A_PART.search(text[: found.start()]) is None
 
 
 def _leads_to(text: str, mark: WordMark) -> bool:

@@ -102,8 +102,14 @@ _OTHER_HALF = (
         rf"(?:an? )?{_A}(?P<new>{_NAMES})(?!\w)"
     ),
     re.compile(
-        rf"(?<!\w)(?:swap|swop|replace|exchange|change|turn|make) {_A}(?P<old>{_NAMES})"
-        rf" (?:for|with|by|to|into) {_A}(?P<new>{_NAMES})(?!\w)"
+        rf"(?<!\w)(?:swap|swop|replace|exchange|change|switch|turn|make) {_A}(?P<old>{_NAMES})"
+        rf" (?:(?:for|with|by|to|into) )?{_A}(?P<new>{_NAMES})(?!\w)"
+    ),
+    re.compile(rf"(?<!\w)(?P<old>{_NAMES}) ?(?:->|=>|→) ?{_A}(?P<new>{_NAMES})(?!\w)"),
+    re.compile(
+        rf"(?<!\w)(?:instead of|in place of|rather than|remove|lose|drop|ditch) {_A}(?P<old>{_NAMES}),?"
+        r" (?:(?:i want|i'd like|i'd prefer|can i have|could i have|give me|have|put(?: on)?|add|use) )?"
+        rf"{_A}(?P<new>{_NAMES})(?!\w)"
     ),
 )
 """One lower half for another: trousers for the skirt of a dress."""

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from swifttailor.describing.claims import CLAIM_TYPES
+from swifttailor.describing.claims import CLAIM_TYPES, claims_of
 from swifttailor.describing.differences import Change, Gain, Step, subject_of
 from swifttailor.describing.dimensions import QUANTITIES
 from swifttailor.describing.facts import GarmentFacts
+from swifttailor.recutting.unasked import part_of
 
 _FIGURES = {
     "waistband": ("waistband_cm",),
@@ -90,6 +91,20 @@ def is_stated(change: Change, told: Sequence[Change]) -> bool:
     return change.claim.value != "none" and bool(names.intersection(_FIGURES.get(change.claim.name, ())))
 
 
+def is_counted(change: Change, told: Sequence[Change]) -> bool:
+    """Whether the number of a step is another's already: of "shorten it by 5 cm" not of the sleeves, too.
+
+    Args:
+        change: What is read.
+        told: What is asked for.
+    """
+    if not isinstance(change, Step) or change.amount is None:
+        return False
+    part = part_of(change.quantity)
+    amounts = [c.amount for c in told if isinstance(c, Step) and part_of(c.quantity) != part]
+    return any(amount is not None and abs(amount - change.amount) < 0.05 for amount in amounts)
+
+
 def to_the_number(told: Sequence[Change], facts: GarmentFacts) -> list[Change]:
     """Figures that nearly hold, as steps to them: a leg opening of 60 cm is asked for, and 57 is near it.
 
@@ -114,6 +129,31 @@ def to_the_number(told: Sequence[Change], facts: GarmentFacts) -> list[Change]:
     return found
 
 
+def to_the_word(told: Sequence[Change], facts: GarmentFacts) -> list[Step]:
+    """Steps to what words for how long sleeves are mean, where these hold at their border alone.
+
+    Sleeves of 22 cm may be called elbow-length by somebody who is content with them, but not by somebody who
+    wants short ones lengthened to the elbow.
+
+    Args:
+        told: What is asked for.
+        facts: Of the garment.
+    """
+    found: list[Step] = []
+    now = QUANTITIES["sleeve length"].of(facts)
+    called = {claim.value for claim in claims_of(facts, ["sleeves"])}
+    for change in told:
+        if not isinstance(change, Gain) or change.claim.name != "sleeves" or now is None or not called:
+            continue
+        share = _SLEEVES.get(str(change.claim.value))
+        if share is not None and change.claim.value not in called and change.holds(facts, facts):
+            off = share * facts.body.arm_length - now
+            found.append(Step("sleeve length", 1 if off > 0 else -1, round(abs(off), 1)))
+    return found
+
+
+_SLEEVES = {"cap": 0.14, "short": 0.36, "elbow": 0.53, "three-quarter": 0.73, "long": 0.98, "extra-long": 1.2}
+"""Parts of the arm's length that are meant by words."""
 LEAST_CM = 1.0
 """What is nearer to a figure than this is as it is asked for."""
 _QUANTITY_OF = {

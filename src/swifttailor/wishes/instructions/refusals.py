@@ -1,0 +1,54 @@
+"""What an instruction refuses, and what of it only says what is to be otherwise."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from swifttailor.describing.claims import Claim
+from swifttailor.describing.differences import Change, Gain, Step
+from swifttailor.wishes.instructions.change_words import find_changes
+from swifttailor.wording.lexicon import WordReading
+
+_DISLIKED = re.compile(
+    r"(?<!\w)(?:hate|dislike|(?:don['’]?t|do not) (?:like|love)|can['’]?t stand)(?!\w)[^.,;!?]*"
+)
+"""What is disliked for being too wide is not to go: "I hate that the hood is so big"."""
+
+
+def refused(words: WordReading) -> tuple[Claim, ...]:
+    """What is refused; of a detail that means several things the first: not strapless may be sleeveless."""
+    beside = {
+        claim
+        for mark in words.marks
+        if mark.denied
+        for entry in mark.entries
+        if entry.category != "garments"
+        for claim in entry.claims("certain")[1:]
+    }
+    return tuple([claim for claim in words.never if claim not in beside])
+
+
+def compared_away(text: str, words: WordReading) -> frozenset[Claim]:
+    """Refused by nothing but a word of change, which says what is to be otherwise: "not as wide"."""
+    small = text.lower()
+    spans = [(c.start, c.end) for c in find_changes(small)]
+    spans += [m.span() for m in _DISLIKED.finditer(small) if find_changes(m[0])]
+    return frozenset(
+        claim
+        for mark in words.marks
+        if mark.denied and any(a <= mark.start < b for a, b in spans)
+        for entry in mark.entries
+        for claim in entry.claims()
+    )
+
+
+def is_moved_away(gain: Gain, told: Sequence[Change]) -> bool:
+    """Whether a step leads away from what is refused already."""
+    moved = {
+        "fit": ("chest",), "neckline": ("neck depth", "neck width"), "skirt_hem": ("length",),
+        "sleeve_shape": ("sleeve width", "sleeve end", "sleeve head"),
+        "skirt": ("tier gathers", "tiers", "gores", "godets", "skirt hem", "skirt gathers"),
+    }  # fmt: skip
+    steps = {change.quantity for change in told if isinstance(change, Step)}
+    return bool(steps.intersection(moved.get(gain.claim.name, ())))
