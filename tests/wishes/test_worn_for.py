@@ -46,7 +46,7 @@ def reader() -> WishReader:
         ("librarian", "cardigan", "top"),
         ("for walking the dog in all weathers", "anorak", "top"),
         ("something floaty over my tummy", "tunic", "tunic"),
-        ("I've got a wedding in June, nothing sleeveless", "wrap dress", "dress"),
+        ("I've got a wedding in June, nothing sleeveless", "tea dress", "dress"),
         ("I am a hairdresser and stand all day", "salon tunic", "top"),
         ("clothes for a hospital stay", "nightshirt", "dress"),
     ],
