@@ -44,6 +44,8 @@ def reader() -> WishReader:
         ("Marilyn but not white", "Marilyn dress", "dress"),
         ("school run, then straight to the office", "blazer", "top"),
         ("librarian", "cardigan", "top"),
+        ("mother of the bride, not frumpy", "mother of the bride dress", "dress"),
+        ("for a first communion, white", "communion dress", "dress"),
         ("for walking the dog in all weathers", "anorak", "top"),
         ("something floaty over my tummy", "tunic", "tunic"),
         ("I've got a wedding in June, nothing sleeveless", "tea dress", "dress"),
@@ -90,3 +92,9 @@ def test_what_is_worn_is_a_garment_of_one_kind():
     for name in worn:
         kinds = {i.claim.value for i in read_words(name).implications if i.claim.name == "kind"}
         assert len(kinds) == 1, name
+
+
+def test_what_is_guessed_has_no_print_where_a_colour_is_asked_for(reader):
+    assert hear_description("my best friend's wedding, something green", reader).print is None
+    assert hear_description("my best friend's wedding", reader).print is not None
+    assert hear_description("my best friend's wedding, red spots", reader).print is not None

@@ -121,7 +121,15 @@ class Heard:
     def print(self) -> ClothPrint | None:
         """The print that it asks for."""
         parts = self.printed_parts
-        return None if self.words is None else heard_print(self.as_read, self.words, parts, self.kind)
+        colored = self.words is not None and (self.words.colors or self.words.looks)
+        if self.words is None or (self.guess and colored and not self._names_print):
+            return None  # the flowers of tea dresses, where a white one is asked for
+        return heard_print(self.as_read, self.words, parts, self.kind)
+
+    @property
+    def _names_print(self) -> bool:
+        marks = () if self.words is None else self.words.marks
+        return any(entry.category == "prints" for mark in marks for entry in mark.entries)
 
     @property
     def ribs(self) -> tuple[float, float] | None:
