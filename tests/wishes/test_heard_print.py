@@ -277,3 +277,17 @@ def test_fading_colours_and_bands_of_several(text, motif, colors):
 def test_some_checks_are_lines_or_greys(text, colors):
     found = asked(text)
     assert found is not None and (found.kind, found.colors) == ("plaid", colors)
+
+
+@pytest.mark.parametrize(
+    ("text", "kind", "first"),
+    [
+        ("a checked blazer", "plaid", "#777a82"),
+        ("checked trousers", "plaid", "#777a82"),
+        ("check flannel shirt", "checks", "#a3262c"),
+        ("a checked dress", "checks", "#f4f1e8"),
+    ],
+)
+def test_checks_without_a_colour_are_those_of_their_cloth(text, kind, first):
+    found = heard_print(text, read_words(text))
+    assert found is not None and (found.kind, found.colors[0]) == (kind, first)

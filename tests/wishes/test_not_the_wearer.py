@@ -26,6 +26,11 @@ from swifttailor.wishes.wearers.wearer_words import hear_wearer
         "hoodie with an XL hood",
         "give us 2 pockets",
         "a shirt with size 18 buttons",
+        "My daughter says polka dots, a swing dress",
+        "a tunic for our principal boy",
+        "smart, but I crawl on the floor with toddlers",
+        "ribbed dresses, XS to XL",
+        "a jacket in S, M, L and XL",
     ],
 )
 def test_others_and_other_things_have_no_size_of_the_wearer(text):

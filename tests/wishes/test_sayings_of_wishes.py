@@ -32,6 +32,19 @@ def reader() -> WishReader:
         ("a long gown fitted to the knee, then it flares out", {"skirt=fitted base"}),
         ("shorts that end just over the knee", {"leg_hem=knee"}),
         ("a slim skirt", {"skirt=straight"}),
+        ("a loose basketball short that comes to my knees", {"kind=shorts", "leg_hem=knee"}),
+        ("a column dress with a slit up to the knee", {"kind=dress", "slit=left"}),
+        ("the physio suggested a wraparound, to mid calf", {"kind=skirt", "skirt_hem=midi"}),
+        ("a skirt that twirls when I dance", {"kind=skirt", "skirt=circle"}),
+        ("like a prom dress but shorter", {"kind=dress", "skirt_hem=knee"}),
+        ("a dress that covers my arms and knees", {"skirt_hem=below the knee", "sleeves=three-quarter"}),
+        ("a jacket with neck who stand up", {"kind=top", "collar=stand"}),
+        ("short fitted jacket with nipped waist", {"kind=top", "fit=close", "top_hem=high hip"}),
+        ("Winterjacke, kurz, mit Stehkragen", {"kind=top", "top_hem=hip", "collar=stand"}),
+        ("a top for jeans, long sleeves", {"kind=top", "sleeves=long"}),
+        ("we have a barn dance and I own nothing with a full skirt", {"kind=dress", "skirt=flared"}),
+        ("something warm for under my coat", {"kind=top", "sleeves=long"}),
+        ("something to wear with a skirt", {"kind=top"}),
         ("a gown with sleeves like angel wings", {"sleeve_shape=bell"}),
         ("tank top with wide straps and deep armholes", {"armholes=deep", "straps=wide"}),
         ("a dress, sleeves yes, collar no", {"kind=dress", "collar=none"}),
@@ -294,4 +307,52 @@ def test_what_is_answered_or_likened_is_put_plainly(text, plain):
     ],
 )
 def test_what_would_be_read_as_something_else_is_put_plainly(text, plain):
+    assert without_asides(text) == plain
+
+
+@pytest.mark.parametrize(
+    ("text", "never"),
+    [
+        ("a column dress with a slit up to the knee", "skirt_hem=knee"),
+        ("I want a jacket for the train journey", "skirt_hem=floor"),
+        ("short fitted jacket with nipped waist", "waist_seam=natural"),
+        ("a skirt, I go straight to the office", "skirt=straight"),
+    ],
+)
+def test_what_a_saying_does_not_mean_is_not_heard(reader, text, never):
+    sure = hear_description(text, reader).sure
+    assert never not in {
+        f"{w.change.claim.name}={w.change.claim.value}" for w in sure if isinstance(w.change, Gain)
+    }
+
+
+@pytest.mark.parametrize(
+    ("text", "plain"),
+    [
+        ("pregnant, need a work dress", ", need a work maternity dress"),
+        ("I'm pregnant with twins. Uniform trousers?", ". maternity Uniform trousers?"),
+        ("ich bin schwanger und brauche ein Kleid", " und brauche ein UmstandsKleid"),
+        ('we say "sarafan"', "called sarafan"),
+        ("thin straps that cross over at the back", "thin cross back straps"),
+        (
+            "a blouse that opens all the way down the front",
+            "a blouse that buttons all the way down the front",
+        ),
+        ("no zips no laces", "no zips no drawstring"),
+        ("too hot for jeans. a skirt", "no jeans. a skirt"),
+        ("trousers falling straight from there", "trousers falling straight from there"),
+        ("my sister's wedding, something green", "wedding guest, something green"),
+        ("my team plays darts, shirts", "my team plays games, shirts"),
+        ("a floral dress on a dark background", "a floral dress on black"),
+        ("slit 30 cm long, skirt", "30 cm slit, skirt"),
+        ("knee length minus 5 cm", "5 cm above the knee"),
+        ("trousers for my dad, he's in a wheelchair", "trousers for my dad with an elastic waist"),
+        ("a dress that grows with my bump", "a maternity dress"),
+        ("a top the colour of the sky", "a top sky blue"),
+        ("tie dye in blues", "tie dye in blue"),
+        ("a gown with a train", "a gown with a train"),
+        ("a skirt straight to the knee", "a skirt straight to the knee"),
+    ],
+)
+def test_asides_of_stories_are_put_plainly(text, plain):
     assert without_asides(text) == plain

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from swifttailor.wishes.text.lexicon_spelling import lexicon_spelling
 from swifttailor.wishes.text.spelling import _slips, common_slip, cut_words, neighbours, put_right
 from swifttailor.wording.lexicon import all_entries
 from swifttailor.wording.wordings import all_wordings
@@ -63,3 +64,8 @@ def test_common_slips_lead_back_to_what_is_meant(said, meant):
 def test_no_common_slip_is_a_word_of_any_table():
     known = {w.lower() for e in all_entries() for w in e.words}
     assert not known & set(_slips())
+
+
+@pytest.mark.parametrize("word", ["played", "harness", "smoking", "supper", "locked"])
+def test_words_of_everyday_are_no_slips(word):
+    assert put_right(word) == word and lexicon_spelling(word) is None

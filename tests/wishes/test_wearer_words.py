@@ -17,6 +17,11 @@ from swifttailor.wishes.wearers.wearer_words import hear_wearer
         ("a men's T-shirt in size L", "a men's T-shirt", "men L", None, None),
         ("hoodie XL", "hoodie", "women XL", None, None),
         ("US 8 dress", "dress", "women US 8", None, None),
+        ("five foot two, wrap dress", "wrap dress", None, {"height": 157.0}, None),
+        ("a tunic for my wife who is nearly six foot", "a tunic", None, {"height": 183.0}, "women"),
+        ("shirt for my dad, he has a big stomach", "shirt, he", "men EU 58", None, None),
+        ("my arms: I have short arms, blouse", "my arms: I have, blouse", None, {"arm_length": 49.0}, None),
+        ("wide pants for short legs", "wide pants", None, {"height": 157.0}, "women"),
         ("a dress for a woman of 160 cm", "a dress", None, {"height": 160.0}, "women"),
         ("trousers for a man who is 1.9 m tall", "trousers", None, {"height": 190.0}, "men"),
         (

@@ -33,6 +33,24 @@ def reader() -> WishReader:
         ("something for a Gatsby party", "flapper dress", "dress"),
         ("smart but not stuffy, for casual friday", "shirt", "top"),
         ("something for a ball", "evening gown", "dress"),
+        ("Old Hollywood", "bias cut gown", "dress"),
+        ("something comfy for a long train journey", "jersey dress", "dress"),
+        ("something I can get out of on a sleeper train", "nightshirt", "dress"),
+        ("cool for Delhi, covered for temples", "modest maxi dress", "dress"),
+        ("something I can cycle to work in", "tapered trousers", "trousers"),
+        ("something to dance salsa in", "dance dress", "dress"),
+        ("green velvet, christmas", "party dress", "dress"),
+        ("for cooking class, something that opens at the front", "shirt", "top"),
+        ("Marilyn but not white", "Marilyn dress", "dress"),
+        ("school run, then straight to the office", "blazer", "top"),
+        ("librarian", "cardigan", "top"),
+        ("mother of the bride, not frumpy", "mother of the bride dress", "dress"),
+        ("for a first communion, white", "communion dress", "dress"),
+        ("for walking the dog in all weathers", "anorak", "top"),
+        ("something floaty over my tummy", "tunic", "tunic"),
+        ("I've got a wedding in June, nothing sleeveless", "tea dress", "dress"),
+        ("I am a hairdresser and stand all day", "salon tunic", "top"),
+        ("clothes for a hospital stay", "nightshirt", "dress"),
     ],
 )
 def test_a_garment_is_guessed_from_what_it_is_for(reader, text, garment, kind):
@@ -74,3 +92,9 @@ def test_what_is_worn_is_a_garment_of_one_kind():
     for name in worn:
         kinds = {i.claim.value for i in read_words(name).implications if i.claim.name == "kind"}
         assert len(kinds) == 1, name
+
+
+def test_what_is_guessed_has_no_print_where_a_colour_is_asked_for(reader):
+    assert hear_description("my best friend's wedding, something green", reader).print is None
+    assert hear_description("my best friend's wedding", reader).print is not None
+    assert hear_description("my best friend's wedding, red spots", reader).print is not None

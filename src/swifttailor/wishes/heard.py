@@ -23,6 +23,7 @@ from swifttailor.wishes.looks.printed_parts import ON_ALL, PrintedParts, printed
 from swifttailor.wishes.looks.refused_colors import color_besides, is_like
 from swifttailor.wishes.looks.ribs import ribs
 from swifttailor.wishes.looks.second_colors import with_second_color
+from swifttailor.wishes.looks.shades_alone import shade_alone
 from swifttailor.wishes.reader import Wish
 from swifttailor.wishes.text.lexicon_spelling import near_names
 from swifttailor.wording.claim_kinds import implied_kind
@@ -87,7 +88,8 @@ class Heard:
         body = (
             None if self.words is None else color_of_body(self.words.looks) or color_behind_name(self.words)
         )
-        rgb = named[0].rgb if named else body or next(meant, None)
+        alone = None if self.words is None else shade_alone(self.words)
+        rgb = named[0].rgb if named else body or alone or next(meant, None)
         dyed = _COLOR_OF_CLOTH.get(self.cloth or "")
         if rgb is None or (dyed is not None and rgb == _BLUE):
             rgb = dyed or rgb
@@ -119,7 +121,15 @@ class Heard:
     def print(self) -> ClothPrint | None:
         """The print that it asks for."""
         parts = self.printed_parts
-        return None if self.words is None else heard_print(self.as_read, self.words, parts, self.kind)
+        colored = self.words is not None and (self.words.colors or self.words.looks)
+        if self.words is None or (self.guess and colored and not self._names_print):
+            return None  # the flowers of tea dresses, where a white one is asked for
+        return heard_print(self.as_read, self.words, parts, self.kind)
+
+    @property
+    def _names_print(self) -> bool:
+        marks = () if self.words is None else self.words.marks
+        return any(entry.category == "prints" for mark in marks for entry in mark.entries)
 
     @property
     def ribs(self) -> tuple[float, float] | None:

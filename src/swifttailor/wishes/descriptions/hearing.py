@@ -59,7 +59,9 @@ from swifttailor.wishes.outfits.first_piece import first_piece
 from swifttailor.wishes.outfits.side_remarks import without_side_remarks
 from swifttailor.wishes.reader import SURE, Wish, WishReader
 from swifttailor.wishes.text.accounting import subjects_spoken_of, unaccounted
+from swifttailor.wishes.text.complaints import without_complaints
 from swifttailor.wishes.text.lexicon_spelling import guessed_name
+from swifttailor.wishes.text.one_half import of_one_half
 from swifttailor.wishes.text.spoken_faces import spoken_faces
 from swifttailor.wishes.text.spoken_hems import spoken_bounds, spoken_hem, spoken_slit
 from swifttailor.wishes.text.spoken_levels import spoken_levels
@@ -90,7 +92,7 @@ def hear_description(text: str, reader: WishReader, *, alone: bool = True) -> He
 
 def _described(text: str, reader: WishReader, *, alone: bool) -> Heard:
     """The same without looks of parts."""
-    text = glossed(text)
+    text = of_one_half(without_complaints(glossed(text)))
     heard = _heard_description(text, reader)
     meant = worn_for(heard) if alone else None
     if meant is not None:

@@ -20,6 +20,25 @@ _OF_LOWER = frozenset(
 )
 _INSTEAD = ("dress", "jumpsuit", "top")
 """What suits most occasions, where what is usual for one is refused."""
+_KNITS = frozenset({"jumper", "T-shirt", "sweatshirt"})
+_BUTTONED, _SHIRT = frozenset({"buttons"}), "shirt"
+_PARTY_DRESS = "party dress"
+_FINE = frozenset(
+    {
+        "velvet",
+        "satin",
+        "silk",
+        "lace",
+        "chiffon",
+        "tulle",
+        "sequins",
+        "sequin",
+        "sequined",
+        "taffeta",
+        "organza",
+    }
+)
+"""Cloth of festive clothes, of which no jumper is made."""
 _DETAILS = 2
 """So many different things have to be said before they tell what a garment is."""
 _SHORTEST_DRESS_CM = 75.0
@@ -36,7 +55,20 @@ def worn_for(heard: Heard) -> str | None:
     is asked for is not suggested: no dress where legs are spoken of. What reaches the calves or beyond,
     without legs or a waistband, is a dress, and what details tell by themselves is that kind.
     """
-    return _worn_for(heard) or ("dress" if _is_likely_a_dress(heard) else _told_by_details(heard))
+    return _as_told(_worn_for(heard), heard) or (
+        "dress" if _is_likely_a_dress(heard) else _told_by_details(heard)
+    )
+
+
+def _as_told(worn: str | None, heard: Heard) -> str | None:
+    """A suggestion that suits what is said of cloth and closings: no jumper of velvet or with buttons."""
+    if worn not in _KNITS or heard.words is None:
+        return worn
+    if any(lack.what in _BUTTONED and lack.said for lack in heard.lacks):
+        return _SHIRT
+    said = {m.word.lower() for m in heard.words.marks if not m.denied and m.entries}
+    fine = any(word in _FINE for words in said for word in words.split())
+    return _PARTY_DRESS if fine else worn
 
 
 def _told_by_details(heard: Heard) -> str | None:

@@ -22,7 +22,7 @@ from swifttailor.wishes.drafts.gored_drafts import gored_as_said
 from swifttailor.wishes.drafts.hearted_drafts import hearted_as_asked
 from swifttailor.wishes.drafts.huge_skirts import huge_as_said
 from swifttailor.wishes.drafts.jumpsuit_collars import with_shirt_collar
-from swifttailor.wishes.drafts.legs_by_words import ELASTIC, legs_as_said
+from swifttailor.wishes.drafts.legs_by_words import ELASTIC, PULLED_ON, legs_as_said
 from swifttailor.wishes.drafts.loosened_drafts import is_to_be_loose, loosened_as_asked
 from swifttailor.wishes.drafts.low_skirts import low_as_asked
 from swifttailor.wishes.drafts.mandarin_collars import (
@@ -90,6 +90,7 @@ _COATS, _JACKETS = ("coat", "hooded-coat", "cape"), ("blazer", "turtleneck")
 _PULLED_ON = "t-shirt"
 _OPEN_JACKET = NamedDraft.parse("cardigan(length=22;chest_ease=14;neck_depth=16;opening=0;closed_to=8)")
 """Of a jacket whose sleeves are raglan or cut in one, which those of blazers are not."""
+_CLOSINGS = frozenset({"zip", "buttons"})
 _STRAPLESS = ("bandeau", "bustier", "strapless-dress", "strapless-jumpsuit")
 _BUSTIER, _STRAPS = "bustier", ("straps", True)
 _SHAWL = ("lapels", "shawl")
@@ -302,7 +303,8 @@ def _elastic(heard: Heard) -> frozenset[str]:
     """That there is elastic, where words about details say so and mean the waist: not those of ankles."""
     ankles = any(claim.name == "leg_cuffs" for e in heard.meant for claim in e.claims("certain"))
     styles = [e for e in heard.meant if e.category == "styles" and e.drafts and not ankles]
-    return frozenset([key for e in styles for key in e.cannot if key == ELASTIC])
+    pulled = [PULLED_ON] if _CLOSINGS <= _denied(heard) else []
+    return frozenset([*pulled, *[key for e in styles for key in e.cannot if key == ELASTIC]])
 
 
 def _denied(heard: Heard) -> frozenset[str]:

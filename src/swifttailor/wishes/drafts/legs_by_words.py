@@ -12,6 +12,8 @@ from swifttailor.wishes.trims.trims_by_place import is_elastic_behind
 
 ELASTIC = "elastic"
 """Key of ``cannot.txt``: gathers at the waist stand for it."""
+PULLED_ON = "pulled_on"
+"""Beside such keys: that nothing is to close trousers, so that they are pulled on."""
 _DRAGS = re.compile(
     r"(?<!\w)(?:(?:drag|trail|puddl|pool)\w*\s+(?:(?:on|along|over|across|at|around)\s+)?(?:the\s+|my\s+)?"
     r"(?:floor|ground|feet|shoes)|puddling|puddle hems?"
@@ -96,7 +98,7 @@ def legs_as_said(
         wanted = [what for what in wanted if what != ELASTIC]
         if draft.name == "pull-on-trousers":
             draft = NamedDraft("trousers", tuple([each for each in draft.options if each[0] in _OF_BOTH]))
-    if draft.name == "trousers" and (ELASTIC in wanted or folded):
+    if draft.name == "trousers" and (folded or not {ELASTIC, PULLED_ON}.isdisjoint(wanted)):
         kept = {name: value for name, value in draft.options if name in _OF_BOTH}
         room = max(_PULLED_ON["hip_ease"], float(kept.get("hip_ease", 0.0)))
         draft = NamedDraft("pull-on-trousers", tuple({**_PULLED_ON, **kept, "hip_ease": room}.items()))

@@ -36,6 +36,11 @@ _V_CM: Mapping[str, float] = {_WIDTH: 0.0, _DEPTH: 18.0}
 _DEEP_V_CM: Mapping[str, float] = {_WIDTH: 0.5, _DEPTH: 22.0}
 _PLUNGING_CM: Mapping[str, float] = {_WIDTH: 1.0, _DEPTH: 31.0}
 """It ends a little above the waist."""
+_TO_THE_WAIST = frozenset(
+    {"fitted-dress", "fitted-top", "jumpsuit", "mermaid-dress", "peplum-top", "skater-dress"}
+)
+_DEEPEST_CM = 22.0
+"""Of other drafts than these, whose bodices have no waist seam or end below it."""
 
 
 def neck_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
@@ -54,6 +59,8 @@ def neck_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
         cut.pop(_WIDTH, None)
     if not cut:
         return draft
+    if draft.name not in _TO_THE_WAIST and _DEPTH in cut:
+        cut[_DEPTH] = min(cut[_DEPTH], _DEEPEST_CM)
     shape: dict[str, str] = {"neckline": "v"} if _V in claims else {}
     back = _is_close(claims) and not any(claim.name in _BARE_BACKS for claim in claims)
     if back and draft.name not in ("sweatshirt", *_WITHOUT_WIDTH):

@@ -71,6 +71,8 @@ _LEAST_APART = 45.0
 """Difference in brightness of two colours from which one is seen on the other, 0 to 255."""
 _BUFFALO_CM = 4.5
 """So wide are the squares of checks of two colours on lumberjack shirts and the like."""
+_LUMBERJACK, _GREY = ("#a3262c", "#1d1c20"), "#777a82"
+"""Colours of checks on such, and on cloth for suits, where none are named."""
 _SIZED = re.compile(r"(?<!\w)(?P<size>tiny|little|small|big|large)\s+$", re.IGNORECASE)
 _JOINED = re.compile(r"(?:\s|,|&|(?<!\w)and(?!\w))+$", re.IGNORECASE)
 """What may stand between a size, colours and the figures that have both."""
@@ -145,6 +147,13 @@ def heard_print(
     if named.kind == "checks" and len(colors) == 1 and _OF_CLOTH.fullmatch(mark.word) and _is_tailored(words):
         spacing = 2.0 * sizes["width"] if sizes["width"] != dict(named.sizes)["width"] else _SUITING_CM
         return ClothPrint("plaid", tonal_check(colors[0]), _without(sizes, "width") | {"spacing": spacing})
+    if named.kind == "checks" and not colors and not named.inks and _OF_CLOTH.fullmatch(mark.word):
+        if any(_kind(m) == "plaid" for m in marks):
+            return ClothPrint("checks", _LUMBERJACK, _without(sizes, "spacing") | {"width": _BUFFALO_CM})
+        if _is_tailored(words):
+            return ClothPrint(
+                "plaid", tonal_check(_GREY), _without(sizes, "width") | {"spacing": _SUITING_CM}
+            )
     if named.kind == "checks" and any(_kind(m) == "plaid" for m in marks):
         sizes["width"] = max(sizes["width"], _BUFFALO_CM)
     inks = tuple([f"#{ink}" for ink in named.inks or _inks_of_others(marks, named.kind)])

@@ -21,6 +21,15 @@ _CHOICE = re.compile(
 )
 """Between colours of which one is enough."""
 
+_IN_EACH = re.compile(
+    r"(?<!\w)(?:colou?r ?ways?|(?:one|some|ten|\d+) (?:in|of) each|(?:shop|wholesale|bulk|trade|stock) order"
+    r"|in (?:the following|these|two|three|four|five|several|various|\d) (?:shades|colou?rs)|buyers?"
+    r"|stockists?|assorted|sizes? \d{1,2} ?(?:-|–|to) ?\d{1,2}|available in|comes? in"
+    r"|(?:XXS|XS|S) ?(?:to|-|–|/) ?(?:L|XL|\d?XXL|\dXL))(?!\w)",
+    re.IGNORECASE,
+)
+"""What a shop says that orders a garment in each of several colours: the first is shown."""
+
 
 def joined_places(text: str, words: WordReading) -> tuple[int, ...]:
     """Which of the colours of a reading a text joins, in its order; none where it joins no two.
@@ -29,6 +38,8 @@ def joined_places(text: str, words: WordReading) -> tuple[int, ...]:
         text: That the lexicon has read.
         words: By the lexicon.
     """
+    if _IN_EACH.search(text):
+        return ()
     found: list[int] = []
     marks = words.color_marks
     for k, color in enumerate(words.colors):

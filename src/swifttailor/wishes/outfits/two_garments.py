@@ -21,6 +21,8 @@ from swifttailor.wishes.outfits.parted_text import LayeredText, PartedText
 from swifttailor.wishes.outfits.side_remarks import without_side_remarks
 from swifttailor.wishes.outfits.suits_of_two_colors import parted_by_color
 from swifttailor.wishes.outfits.worn_over import layered_pieces, said_plainly, without_places
+from swifttailor.wishes.text.complaints import without_complaints
+from swifttailor.wishes.text.one_half import of_one_half
 from swifttailor.wishes.text.text_as_read import text_as_read
 from swifttailor.wishes.wearers.wearer_words import hear_wearer
 from swifttailor.wording.lexicon import WordMark, WordReading, read_words
@@ -61,7 +63,7 @@ def two_garments(text: str) -> TwoGarments | None:
     Args:
         text: In any language that is read.
     """
-    text = said_plainly(first_piece(text))
+    text = said_plainly(first_piece(of_one_half(without_complaints(text))))
     text = _PLUS.sub(lambda found: " with " if "w" in found[0] else " and ", text)
     text = _SUIT_OF.sub(r"\1, ", with_hooded_top(with_apron_put_on(text)))
     text = joined_up(text, read_words(text))

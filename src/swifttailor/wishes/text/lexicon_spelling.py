@@ -11,7 +11,7 @@ import re
 from collections.abc import Iterable
 from functools import cache
 
-from swifttailor.wishes.text.spelling import neighbours
+from swifttailor.wishes.text.spelling import neighbours, ordinary_words
 from swifttailor.wording.lexicon import all_entries
 
 SHORTEST = 5
@@ -46,6 +46,8 @@ def lexicon_spelling(word: str) -> str | None:
     """
     small = word.lower()
     if len(small) < SHORTEST or len(small) > _LONGEST or not small.isascii() or not small.isalpha():
+        return None
+    if small in ordinary_words():
         return None
     slips = [
         near for near in neighbours(small) & _all_words() if near[0] == small[0] and len(near) >= SHORTEST

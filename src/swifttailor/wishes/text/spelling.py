@@ -30,7 +30,7 @@ def put_right(text: str) -> str:
 def _right(word: str) -> str:
     small = word.lower()
     known = cut_words()
-    if len(small) < SHORTEST or small in known or small in _ordinary_words() or not small.isascii():
+    if len(small) < SHORTEST or small in known or small in ordinary_words() or not small.isascii():
         return word
     # An unknown plural is not an error for its singular, nor the other way round.
     meant = sorted(near for near in neighbours(small) & known if near != f"{small}s" or small[-1] == "s")
@@ -70,7 +70,7 @@ def cut_words() -> frozenset[str]:
 
 
 @cache
-def _ordinary_words() -> frozenset[str]:
+def ordinary_words() -> frozenset[str]:
     """Words that are one such error away from a word about the cut, and are none."""
     lines = _ORDINARY.read_text(encoding="utf-8").splitlines()
     return frozenset(word for line in lines if not line.startswith("#") for word in line.split())

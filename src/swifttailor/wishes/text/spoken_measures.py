@@ -60,6 +60,8 @@ _BOUNDS = {
     "inseam_cm": (2, 110),
     "hem_cm": (40, 1500),
     "waistband_cm": (1, 25),
+    "length_cm": (22, 400),
+    "skirt_length_cm": (15, 400),
 }
 _USUAL = (1.0, 400.0)
 _LONGEST = {"skirt_length_cm": 130.0, "length_cm": 170.0}

@@ -184,7 +184,10 @@ def trims_wanted(heard: Heard, draft: str = "", kind: str = "", *, anew: bool = 
     named = _named(heard)
     kind = heard.kind or kind
     found = []
+    refused = _refused(heard)
     for lack in heard.lacks:
+        if not lack.said and lack.what in refused:  # pull-on trousers without strings
+            continue
         can = TRIMS_OF.get(lack.what, ())
         own = tuple([name for name in _of_garment(heard) if name in can])
         if not lack.said and lack.what in _SAID_ALONE and not own and not _is_worn_beside(heard, lack.what):
@@ -291,6 +294,12 @@ def _is_worn_beside(heard: Heard, what: str) -> bool:
     marks = () if heard.words is None else heard.words.marks
     named = [entry for mark in marks if not mark.denied for entry in mark.entries]
     return any(draft.name == what for entry in named for draft in entry.drafts)
+
+
+def _refused(heard: Heard) -> frozenset[str]:
+    """What no panel can be cut for, and is denied."""
+    marks = () if heard.words is None else heard.words.marks
+    return frozenset([key for mark in marks if mark.denied for entry in mark.entries for key in entry.cannot])
 
 
 def _named(heard: Heard) -> tuple[str, ...]:

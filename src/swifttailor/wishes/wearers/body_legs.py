@@ -17,6 +17,8 @@ _INSEAM = re.compile(
     re.IGNORECASE,
 )
 _DRAGS = re.compile(r"(?<!\w)(?:drag|puddl|pool|trail|stack)\w*", re.IGNORECASE)
+_SHARE_OF_LEGS, _MOST_OF_LEGS, _SHOES_CM = 0.462, 0.545, 3.0
+"""How much of a height is the inseam, usually and at most; how far above the floor long trousers end."""
 _LONG_LEGS_CM, _ABOVE_FLOOR_CM = (73.0, 100.0), 7.0
 """Inseams that the usual body is too short for; how far above the floor trousers end."""
 
@@ -25,13 +27,18 @@ def hear_legs(said: SaidBody) -> None:
     """Reads how long the legs are. The words stay: they are the length of the trousers as well.
 
     Args:
-        said: What was read so far; nothing is added where a size or a height says how long they are.
+        said: What was read so far; nothing is added where a size, or a height, says that they are usual.
     """
     match = _INSEAM.search(said.text)
-    if match is None or said.size or "height" in said.measures or _DRAGS.search(said.text):
+    if match is None or said.size or _DRAGS.search(said.text):
         return
     value = number(match["before"] or match["after"])
     unit = (match["unit"] or match["unit2"] or "").lower()
     value *= 1.0 if unit == "cm" or (not unit and value >= _INCHES_BELOW) else CM_PER_INCH
-    if _LONG_LEGS_CM[0] < value <= _LONG_LEGS_CM[1]:
+    tall = said.measures.get("height")
+    if tall is not None:  # the legs of a tall person are longer still, where they are said to be
+        needed = value + _SHOES_CM
+        if _SHARE_OF_LEGS * tall < needed <= _MOST_OF_LEGS * tall:
+            said.measures["inseam"] = round(needed, 1)
+    elif _LONG_LEGS_CM[0] < value <= _LONG_LEGS_CM[1]:
         said.measures["inseam"] = round(value + _ABOVE_FLOOR_CM, 1)

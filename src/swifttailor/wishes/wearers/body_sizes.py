@@ -82,6 +82,11 @@ _BY_REGION = re.compile(
 _BY_LETTER = re.compile(
     r"(?:(?<!\w)(?i:in|an?|en|de|size)\s+)*(?<![\w-])(?P<letter>(?i:XXXS|XXS|XS|XXXXL|XXXL|XXL|XL|[2-9]\s?-?XL)|[1-6]X)(?![\w-])"
 )
+_RUN = re.compile(
+    rf"(?<![\w-]){_LETTER}\s*(?:to|through|thru|until|till|bis|à|a|hasta|tot|-|–|—|/)\s*{_LETTER}(?![\w-])"
+    rf"|(?<![\w-]){_LETTER}(?:(?:\s*[,/]\s*|,? (?:and|or|und|et|y) ){_LETTER}){{2,}}(?![\w-])"
+)
+"""Sizes of a shop: its garments are shown on the usual body."""
 
 
 def hear_size(said: SaidBody, figure: str | None, *, child: bool = False) -> None:
@@ -92,6 +97,8 @@ def hear_size(said: SaidBody, figure: str | None, *, child: bool = False) -> Non
         figure: ``women``, ``men`` or ``children``, as the text says it.
         child: Whether a child is spoken of.
     """
+    if (run := _RUN.search(said.text)) is not None:
+        said.text = f"{said.text[: run.start()]}{said.text[run.end() :]}"
     match = next((m for m in _sized().finditer(said.text) if _is_meant(m, said)), None)
     if match is not None:
         region = match["before"] or match["between"] or match["after"] or ""

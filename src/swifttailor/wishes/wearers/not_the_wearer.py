@@ -26,6 +26,12 @@ _HIDDEN = tuple(
         for pattern in (
             rf"(?<![\w-]){_OTHERS}(?:'?s'?|s')? (?:\w+ )?(?:{_EVENTS})(?!\w)",
             rf"(?<![\w-]){_OTHERS}s? (?:gets?|is getting|are getting|getting|marr(?:y|ies)|graduates?)(?!\w)",
+            rf"(?<![\w-])(?:my|our|her|his|the) {_OTHERS}s? (?:always |keeps? |just )?(?:says?|said|saying"
+            r"|thinks?|thought|reckons?|wants? me|would like me|tells? me|told me|suggest\w*|insists?|picked"
+            r"|chose|recommend\w*)(?!\w)",
+            r"(?<![\w-])(?:principal|lead|altar|ball|cow) ?boys?(?!\w)(?! (?:aged?|of|size))",
+            r"(?<![\w-])(?:with|after) (?:the |my |our )?(?:\w+ )?(?:toddlers?|kids|children|babies)"
+            r"(?![\w'’-])",
             rf"(?<![\w-]){_OTHERS} (?:shorts?|boss|energy|power|next door|band|scout leader)(?!\w)",
             r"(?<![\w-])(?:mean|spice|gossip|golden|gilmore|clean|vsco|cottage|that|e|it|bond|calendar"
             r"|pin[- ]?up|riot|surfer|skater|valley|material|rich|cool)"

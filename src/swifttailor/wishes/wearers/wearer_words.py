@@ -11,6 +11,7 @@ from swifttailor.body.size_charts import find_size
 from swifttailor.body.wearer import Wearer
 from swifttailor.inches import CM_PER_INCH
 from swifttailor.wishes.wearers.body_ages import OF_AGES, SMALLEST, hear_age
+from swifttailor.wishes.wearers.body_arms import hear_arms
 from swifttailor.wishes.wearers.body_builds import hear_build
 from swifttailor.wishes.wearers.body_figures import is_for_a_child, spoken_figure
 from swifttailor.wishes.wearers.body_girths import hear_girths
@@ -57,8 +58,24 @@ _FEET_AND_INCHES = re.compile(
     re.IGNORECASE,
 )
 """A height in feet and inches: 5'4", "5 foot 4", "5ft4"."""
-_PERSON = r"(?<!\w)(i['’]?m|i am|she['’]?s|he['’]?s|she is|he is|someone|somebody|(?:a )?(?:wo)?man of)"
-_FEET = re.compile(rf"{_PERSON} ([4-6]) ?(?:ft|feet|foot)(?!\w){_TALL}", re.IGNORECASE)
+_FIGURES_OF: dict[str, int] = {
+    **{"one": 1, "two": 2, "three": 3, "four": 4, "five": 5, "six": 6},
+    **{"seven": 7, "eight": 8, "nine": 9, "ten": 10, "eleven": 11},
+}
+_FEET_IN_WORDS = re.compile(
+    rf"(?<![\w-])(four|five|six)[ -](?:foot|feet|ft)(?:[ -](?:and )?(\d{{1,2}}|{'|'.join(_FIGURES_OF)})(?!\w"
+    r"| (?:button|dart|pocket|pleat)))?",
+    re.IGNORECASE,
+)
+"""The same in words: "six foot one", "nearly six foot"."""
+_PERSON = (
+    r"(?<!\w)(i['’]?m|i am|she['’]?s|he['’]?s|she is|he is|who['’]?s|who is|someone|somebody"
+    r"|(?:a )?(?:wo)?man of)"
+)
+_ABOUT = r"(?:(?:nearly|almost|over|about|around|just|only|under) )*"
+_FEET = re.compile(
+    rf"{_PERSON} {_ABOUT}([4-6]) ?(?:ft|feet|foot)(?!\w)(?: (?:nothing|nowt|exactly))?{_TALL}", re.IGNORECASE
+)
 _FEET_TALL = re.compile(r"(?<![\w.,'’])([4-6]) ?(?:ft|feet|foot) (?:tall|in height)(?!\w)", re.IGNORECASE)
 _HEIGHT_FEET = re.compile(
     r"(?<!\w)(?:height|stature)[\s:=]*(?:is |of )?([4-6]) ?(?:ft|feet|foot)(?!\w)", re.IGNORECASE
@@ -108,6 +125,8 @@ def hear_wearer(text: str, *, instruction: bool = False) -> HeardWearer:
         hear_girths(said, child=child)
         hear_legs(said)
     spoken = figure or spoken_figure(text)
+    if not instruction:
+        hear_arms(said, spoken)
     hear_size(said, spoken, child=child)
     if not said.build and not instruction:
         hear_build(said)
@@ -136,6 +155,13 @@ def _with_metric_heights(text: str) -> str:
     def metric(feet: str, inches: str) -> str:
         return f"{CM_PER_INCH * (12 * int(feet) + int(inches)):.0f} cm tall"
 
+    def figures(found: re.Match[str]) -> str:
+        inches = (found[2] or "").lower()
+        return f"{_FIGURES_OF[found[1].lower()]} ft" + (
+            f" {_FIGURES_OF.get(inches, inches)}" if inches else ""
+        )
+
+    text = _FEET_IN_WORDS.sub(figures, text)
     text = _METRES_AND.sub(r"\1.\2 m", text)
     text = _FEET_AND_INCHES.sub(lambda found: metric(found[1], found[2]), text)
     text = _FEET.sub(lambda found: f"{found[1]} {metric(found[2], '0')}", text)

@@ -41,12 +41,42 @@ TABLES: Mapping[Language, tuple[str, ...]] = {
             "function_words.txt",
         ),
     ),
-    "de": ("german.txt", "german_lengths.txt", "german_spoken.txt", "german_colors.txt"),
-    "fr": ("french.txt", "french_lengths.txt", "french_spoken.txt", "french_colors.txt"),
-    "es": ("spanish.txt", "spanish_lengths.txt", "spanish_spoken.txt", "spanish_colors.txt"),
-    "it": ("italian.txt", "italian_lengths.txt", "italian_spoken.txt", "italian_colors.txt"),
-    "nl": ("dutch.txt", "dutch_lengths.txt", "dutch_spoken.txt", "dutch_colors.txt"),
-    "pt": ("portuguese.txt", "portuguese_lengths.txt", "portuguese_spoken.txt", "portuguese_colors.txt"),
+    "de": (
+        "german.txt",
+        "german_lengths.txt",
+        "german_spoken.txt",
+        "german_details.txt",
+        "german_colors.txt",
+    ),
+    "fr": (
+        "french.txt",
+        "french_lengths.txt",
+        "french_spoken.txt",
+        "french_details.txt",
+        "french_colors.txt",
+    ),
+    "es": (
+        "spanish.txt",
+        "spanish_lengths.txt",
+        "spanish_spoken.txt",
+        "spanish_details.txt",
+        "spanish_colors.txt",
+    ),
+    "it": (
+        "italian.txt",
+        "italian_lengths.txt",
+        "italian_spoken.txt",
+        "italian_details.txt",
+        "italian_colors.txt",
+    ),
+    "nl": ("dutch.txt", "dutch_lengths.txt", "dutch_spoken.txt", "dutch_details.txt", "dutch_colors.txt"),
+    "pt": (
+        "portuguese.txt",
+        "portuguese_lengths.txt",
+        "portuguese_spoken.txt",
+        "portuguese_details.txt",
+        "portuguese_colors.txt",
+    ),
 }
 _TRANSLATIONS = "words"
 """Section of the tables of other languages."""
