@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -124,3 +126,21 @@ def test_what_is_cut_off_ends_nowhere():
     mask[92] = False
     mask[90:92] = False
     assert lowest_row(mask) == 89
+
+
+@pytest.mark.parametrize(
+    ("bottom", "said", "is_pair", "told"),
+    [
+        (125, "hip", True, "long"),
+        (100, "hip", True, "hip"),
+        (125, "high hip", True, "high hip"),
+        (125, "hip", False, "hip"),
+    ],
+)
+def test_tops_over_the_seat_are_long(bottom, said, is_pair, told):
+    top = part("upper", "top", "knee", bottom)
+    top = replace(top, statements=(*top.statements, Statement(Claim("top_hem", said), 0.7)))
+    parts = (top, part("lower", "trousers", "knee", 310)) if is_pair else (top,)
+    found = with_hems_near_knees(read(*parts), JOINTS).parts[0]
+    assert likeliest(found, "top_hem") == told
+    assert likeliest(found, "kind") == "top" and likeliest(found, "sleeves") == "long"

@@ -1,6 +1,7 @@
 """Hems that end near the knees of somebody in a photograph, by where their joints are.
 
-Networks see most hems better than joints tell, but they take coats to the knee for short ones, or for tops.
+Networks see most hems better than joints tell, but they take coats to the knee for short ones, or for tops,
+and long tops for those of the usual length.
 """
 
 from __future__ import annotations
@@ -31,6 +32,9 @@ _LEAST_PIECE = 0.15
 """Smaller pieces, in the size of the largest, are boots and bags."""
 _AT_EDGE = 4
 """Rows from the edge of the picture: what ends there is cut off."""
+_LONG_CM = (-24.0, -4.0)
+"""Tops that end so far above (below, if negative) the hips are long ones, where networks see the usual."""
+_LONG = [Statement(Claim("top_hem", "long"), 0.6), Statement(Claim("top_hem", "hip"), 0.3)]
 _SURE, _LEAST = 0.75, 0.03
 """How sure it is that what ends at the knees is no top; what is less sure is not told."""
 
@@ -55,17 +59,33 @@ def _with_hem(part: PartReading, joints: LegJoints, *, is_pair: bool) -> PartRea
     if row is None:
         return part
     level = joints.level(row)
+    if is_pair and part.part == "upper" and said.get("top_hem") == "hip" and _is_long(level):
+        return replace(part, statements=_surest_first(_without(part, "top_hem") + _LONG))
     above = level - default_landmarks().knee
     if level < _LOWEST_CM or above > _ABOVE_KNEE_CM:
         return part
     found = list(part.statements)
     if is_pair and part.part == "upper" and said.get("kind") in _TOPS and above > 0:
-        found = [one for one in found if one.claim.name != "kind"]
+        found = _without(part, "kind")
         found.append(Statement(Claim("kind", "dress"), _SURE))
     if said.get("skirt_hem") in _SHORT:
         found = [one for one in found if one.claim.name != "skirt_hem"]
         found += _hems_at(level)
-    return replace(part, statements=tuple(sorted(found, key=lambda one: -one.certainty)))
+    return replace(part, statements=_surest_first(found))
+
+
+def _is_long(level: float) -> bool:
+    """Whether a top that ends at a level is worn over the seat, and no jacket of which the mask runs on."""
+    low, high = _LONG_CM
+    return low <= level - default_landmarks().hips <= high
+
+
+def _without(part: PartReading, claim: str) -> list[Statement]:
+    return [one for one in part.statements if one.claim.name != claim]
+
+
+def _surest_first(found: list[Statement]) -> tuple[Statement, ...]:
+    return tuple(sorted(found, key=lambda one: -one.certainty))
 
 
 def lowest_row(mask: NDArray[np.bool_]) -> int | None:
