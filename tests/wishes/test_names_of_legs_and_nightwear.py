@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 import swifttailor
+from swifttailor.describing.claims import Claim
 from swifttailor.pattern.drafts.draft_names import NamedDraft
 from swifttailor.wishes.descriptions.hearing import hear_description
 from swifttailor.wishes.drafts.swimsuits_as_asked import on_a_halter
@@ -54,7 +55,10 @@ def test_a_pinafore_with_pleats_is_pleated_and_has_the_skirt_that_its_name_means
 
 def test_only_swimsuits_are_held_by_a_halter():
     suit, halter = NamedDraft("swimsuit"), NamedDraft("halter-jumpsuit")
-    (held,) = on_a_halter([suit, halter])
-    assert "halter" in held.shows and on_a_halter([halter]) == [halter] and on_a_halter([suit]) == [suit]
+    (held,) = on_a_halter([suit, halter], [])
+    assert "halter" in held.shows
+    assert on_a_halter([halter], []) == [halter] and on_a_halter([suit], []) == [suit]
+    (high,) = on_a_halter([NamedDraft("bodysuit"), halter], [Claim("neck_depth", "high")])
+    assert high.name == "swimsuit" and dict(high.options)["neck_depth"] < 12.0
     panels = {panel.name for panel in swifttailor.draft("swimsuit", halter=True).panels}
     assert "left_btorso_strap" in panels and "pant_f_l" in panels

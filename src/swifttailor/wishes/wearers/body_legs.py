@@ -17,6 +17,9 @@ _INSEAM = re.compile(
     re.IGNORECASE,
 )
 _DRAGS = re.compile(r"(?<!\w)(?:drag|puddl|pool|trail|stack)\w*", re.IGNORECASE)
+_SHARE, _TO_FLOOR_CM = (0.44, 0.5), 2.0
+"""Inseams beyond this part of the height are for legs that are long for it, and how long these are at most;
+how far above the floor trousers end that are asked for so long, cm."""
 _LONG_LEGS_CM, _ABOVE_FLOOR_CM = (73.0, 100.0), 7.0
 """Inseams that the usual body is too short for; how far above the floor trousers end."""
 
@@ -25,13 +28,18 @@ def hear_legs(said: SaidBody) -> None:
     """Reads how long the legs are. The words stay: they are the length of the trousers as well.
 
     Args:
-        said: What was read so far; nothing is added where a size or a height says how long they are.
+        said: What was read so far; nothing is added where a size says how long they are, or a height does and
+            they are not longer.
     """
     match = _INSEAM.search(said.text)
-    if match is None or said.size or "height" in said.measures or _DRAGS.search(said.text):
+    if match is None or said.size or _DRAGS.search(said.text):
         return
     value = number(match["before"] or match["after"])
     unit = (match["unit"] or match["unit2"] or "").lower()
     value *= 1.0 if unit == "cm" or (not unit and value >= _INCHES_BELOW) else CM_PER_INCH
-    if _LONG_LEGS_CM[0] < value <= _LONG_LEGS_CM[1]:
+    height = said.measures.get("height")
+    if height is not None:  # of a tall person they may be longer yet
+        if _SHARE[0] * height < value <= _LONG_LEGS_CM[1]:
+            said.measures["inseam"] = round(min(value + _TO_FLOOR_CM, _SHARE[1] * height), 1)
+    elif _LONG_LEGS_CM[0] < value <= _LONG_LEGS_CM[1]:
         said.measures["inseam"] = round(value + _ABOVE_FLOOR_CM, 1)

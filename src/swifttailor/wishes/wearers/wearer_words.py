@@ -20,6 +20,7 @@ from swifttailor.wishes.wearers.body_said import SaidBody
 from swifttailor.wishes.wearers.body_sizes import hear_size
 from swifttailor.wishes.wearers.grown_girls import with_grown_girls
 from swifttailor.wishes.wearers.not_the_wearer import hide_others, with_finished_chest
+from swifttailor.wishes.wearers.spelt_heights import with_digits
 from swifttailor.wording.lexicon import read_words
 
 PETITE_CM, TALL_CM = {"women": 157.0, "men": 166.0}, {"women": 180.0, "men": 192.0}
@@ -57,7 +58,10 @@ _FEET_AND_INCHES = re.compile(
     re.IGNORECASE,
 )
 """A height in feet and inches: 5'4", "5 foot 4", "5ft4"."""
-_PERSON = r"(?<!\w)(i['’]?m|i am|she['’]?s|he['’]?s|she is|he is|someone|somebody|(?:a )?(?:wo)?man of)"
+_PERSON = (
+    r"(?<!\w)((?:i['’]?m|i am|she['’]?s|he['’]?s|(?:she|he|son|daughter|husband|wife|brother|sister) is"
+    r"|someone|somebody|(?:a )?(?:wo)?man of)(?: (?:nearly|almost|about|over|just over))?)"
+)
 _FEET = re.compile(rf"{_PERSON} ([4-6]) ?(?:ft|feet|foot)(?!\w){_TALL}", re.IGNORECASE)
 _FEET_TALL = re.compile(r"(?<![\w.,'’])([4-6]) ?(?:ft|feet|foot) (?:tall|in height)(?!\w)", re.IGNORECASE)
 _HEIGHT_FEET = re.compile(
@@ -136,6 +140,7 @@ def _with_metric_heights(text: str) -> str:
     def metric(feet: str, inches: str) -> str:
         return f"{CM_PER_INCH * (12 * int(feet) + int(inches)):.0f} cm tall"
 
+    text = with_digits(text)
     text = _METRES_AND.sub(r"\1.\2 m", text)
     text = _FEET_AND_INCHES.sub(lambda found: metric(found[1], found[2]), text)
     text = _FEET.sub(lambda found: f"{found[1]} {metric(found[2], '0')}", text)
