@@ -127,6 +127,8 @@ class NamedDraft:
         tall = _OF_TALL if stands and float(dict(self.options).get("collar_height", 0.0)) > _TALL_CM else ()
         shown = (_OF_STANDS if stands else (), tall, slits, falls, bib, broad, high, wings, hem, legs)
         are = _HALTER if options.get("halter") else DRAFTS_ARE.get(self.name, ())
+        high_halter = options.get("halter") and float(options.get("neck_depth", _V_CM)) < _V_CM
+        are = (*are, *(_OF_HIGH_HALTERS if high_halter else ()))
         return (*are, *[claim for claims in shown for claim in claims])
 
     @property
@@ -304,6 +306,8 @@ _COLLARS_SHOW: Mapping[str, tuple[str, ...]] = {
     "hood": (),
 }
 """What a collar shows in place of the one that a draft has by itself."""
+_V_CM, _OF_HIGH_HALTERS = 11.0, (("neck_depth", "high"), ("collar", "stand"), ("neckline", "crew"))
+"""Halters whose necklines fall less are round and close to the neck, around which their strap goes on."""
 _HALTER = (
     ("back_depth", "open"),
     ("back_depth", "low"),

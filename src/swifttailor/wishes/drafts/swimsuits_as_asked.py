@@ -18,6 +18,14 @@ _BACKS = {Claim("back_depth", "low"): 30.0, Claim("back_depth", "open"): 36.0}
 _ONE_PIECES = ("swimsuit", "bodysuit")
 _HIGH_CM = 8.0
 """Fall of the front of a halter whose neck is high, cm."""
+_HIGH_NECKS = frozenset(
+    {
+        Claim("neck_depth", "high"),
+        Claim("collar", "stand"),
+        Claim("neckline", "crew"),
+        Claim("neckline", "round"),
+    }
+)
 _TANK_STRAPS = Claim("straps", "wide")
 _ON_TANK_STRAPS = {"sleeves": False, "strap_width": 4.5, "neck_widening": 3.0, "neck_depth": 15.0}
 _STRAPS = frozenset({Claim("straps", "narrow"), Claim("shoulders", "strapless")})
@@ -54,7 +62,7 @@ def on_a_halter(drafts: Sequence[NamedDraft], claims: Sequence[Claim]) -> list[N
     if not suits or not any(draft.name == "halter-jumpsuit" for draft in drafts):
         return [*drafts]
     own = dict(suits[0].options) if suits[0].name == "swimsuit" else {}
-    high = {"neck_depth": _HIGH_CM} if Claim("neck_depth", "high") in claims else {}
+    high = {} if _HIGH_NECKS.isdisjoint(claims) else {"neck_depth": _HIGH_CM}
     return [NamedDraft("swimsuit", tuple({**own, **_HALTER, **high}.items()))]
 
 

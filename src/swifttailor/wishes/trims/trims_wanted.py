@@ -142,7 +142,7 @@ _INSTEAD = frozenset(
 """What closes, opens or fills a neck, so that no buttons do."""
 _PULLED_ON = frozenset({"off-shoulder-top", "bandeau", "bustier", "halter-top", "tank-top", "camisole"})
 """Drafts that are buttoned in front only where a text or a name says so."""
-_WITHOUT_FLY = frozenset({"pull-on-trousers", "joggers", "leggings"})
+WITHOUT_FLY = frozenset({"pull-on-trousers", "joggers", "leggings"})
 """Drafts of legs that are drawn up over the hips, and opened only where a text says so."""
 _BOAT = Claim("neckline", "boat")
 _OPEN_KNIT, _HEM_BAND = "cardigan", Gain(Claim("waistband", "hem"))
@@ -190,7 +190,7 @@ def trims_wanted(heard: Heard, draft: str = "", kind: str = "", *, anew: bool = 
     for lack in heard.lacks:
         can = TRIMS_OF.get(lack.what, ())
         own = tuple([name for name in _of_garment(heard) if name in can])
-        if lack.what == "zip" and not lack.said and draft in _WITHOUT_FLY:
+        if lack.what == "zip" and not lack.said and draft in WITHOUT_FLY:
             continue
         if not lack.said and lack.what in _SAID_ALONE and not own and not _is_worn_beside(heard, lack.what):
             can = ()

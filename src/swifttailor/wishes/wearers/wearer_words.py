@@ -59,7 +59,7 @@ _FEET_AND_INCHES = re.compile(
 )
 """A height in feet and inches: 5'4", "5 foot 4", "5ft4"."""
 _PERSON = (
-    r"(?<!\w)((?:i['’]?m|i am|she['’]?s|he['’]?s|(?:she|he|son|daughter|husband|wife|brother|sister) is"
+    r"(?<!\w)((?:i['’]?m|i am|she['’]?s|he['’]?s|(?:she|he|who|son|daughter|husband|wife|brother|sister) is"
     r"|someone|somebody|(?:a )?(?:wo)?man of)(?: (?:nearly|almost|about|over|just over))?)"
 )
 _FEET = re.compile(rf"{_PERSON} ([4-6]) ?(?:ft|feet|foot)(?!\w){_TALL}", re.IGNORECASE)
