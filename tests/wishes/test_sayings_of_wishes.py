@@ -295,3 +295,19 @@ def test_what_is_answered_or_likened_is_put_plainly(text, plain):
 )
 def test_what_would_be_read_as_something_else_is_put_plainly(text, plain):
     assert without_asides(text) == plain
+
+
+@pytest.mark.parametrize(
+    ("text", "plain"),
+    [
+        ("a swimsuit with a bit of a skirt", "a skirted swimsuit"),
+        ("golf skirt with built-in shorts", "golf skort"),
+        ("skirt with shorts", "skirt with shorts"),
+        ("racerback top with a wide band underneath", "racerback top with an underband"),
+        ("nap pants, no strings", "nap pants, no drawstring"),
+        ("I'm six months pregnant, black work trousers", "I'm six months pregnant, black maternity trousers"),
+        ("capris with a little notch at the side of the hem", "capris with small side slits"),
+    ],
+)
+def test_what_goes_over_and_under_legs_is_put_plainly(text, plain):
+    assert plainly_wished(text) == plain
