@@ -20,9 +20,9 @@ _BELOW_SHOULDER = 4.0
 _CLEAR_OF_FLOOR, _LEAST = 1.0, 10.0
 """How high a layer ends at least, and how long it is, cm."""
 _OVER_LEGS = "outer skirt"
-_SHOWN, _LEGLESS, _LONGEST = 4.0, 36.0, 46.0
-"""How much of shorts is seen below a skirt over them, where legs end that are none, and how long such a skirt
-is at most, below the waist, cm."""
+_SHOWN, _LEGLESS, _CALVES, _ABOVE_CALVES = 4.0, 36.0, 72.0, 46.0
+"""How much of shorts is seen below a skirt over them, where legs end that are none, and where those end that are
+no shorts, over which a skirt ends at the thigh, below the waist, cm."""
 _SKIRTS = ("skirt", "wb_", "ftorso", "btorso", "godet")
 
 
@@ -72,7 +72,8 @@ def layer(chalk: Chalk, name: str) -> list[Trim]:
     height = chalk.waist - _BELOW_WAIST * s
     if name == _OVER_LEGS:
         bare = height - low < _LEGLESS * s
-        low = height - cut.long * s if bare else max(low + _SHOWN * s, height - _LONGEST * s)
+        long = height - low > _CALVES * s
+        low = height - (cut.long if bare else _ABOVE_CALVES) * s if bare or long else low + _SHOWN * s
         return [Layer(name, view.panel.name, height, low, flare=cut.flare * s, reach=cut.reach)]
     if height - low < max(_SHORTEST, cut.long) * s or (cut.behind > 0.0 and low > _ON_FLOOR * s):
         return []
