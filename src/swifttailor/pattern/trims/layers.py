@@ -21,8 +21,8 @@ _CLEAR_OF_FLOOR, _LEAST = 1.0, 10.0
 """How high a layer ends at least, and how long it is, cm."""
 _OVER_LEGS = "outer skirt"
 _SHOWN, _LEGLESS, _CALVES, _ABOVE_CALVES = 4.0, 36.0, 72.0, 46.0
-"""How much of shorts is seen below a skirt over them, where legs end that are none, and where those end that are
-no shorts, over which a skirt ends at the thigh, below the waist, cm."""
+"""How much of shorts is seen below a skirt over them, where legs end that are none, and where those end that
+are no shorts; over these a skirt ends at the thigh, so far below the waist, cm."""
 _SKIRTS = ("skirt", "wb_", "ftorso", "btorso", "godet")
 
 
