@@ -220,8 +220,9 @@ _OF_BLOUSING = (("legs", "tapered"), ("legs", "wide"), ("hips", "loose"))
 _AT_THE_ANKLE_CM, _AT_THE_CALF_CM = 92.0, 70.0
 _OF_BOWS = (("legs", "slim"), ("legs", "tapered"), ("hips", "close"), ("hips", "loose"))
 """Jodhpurs are close below the knee and full above it."""
-_BODY_BANDS, _OF_BODY_BANDS = ("trousers", "jeans", "flares", "fitted-skirt"), (("waistband", "shaped"),)
-"""Waistbands that are as wide as the body above and below; the difference is less than a claim needs."""
+_BODY_BANDS, _OF_BODY_BANDS = ("jeans",), (("waistband", "shaped"),)
+"""Waistbands as wide as the body above and below, by less than a claim needs: of slim legs, which no other
+patterns have."""
 _OF_BARRELS = (("legs", "tapered"), ("hips", "loose"))
 """Barrel legs are widest at the knee."""
 _OF_ARCS = (("hem_shape", "scalloped"),)
