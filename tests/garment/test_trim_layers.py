@@ -42,7 +42,7 @@ def test_a_train_lies_on_the_floor_behind(trim, behind):
     assert train.vertices[:, 2].max() < 0.5 * skirt[:, 2].max()  # nothing of it in front
 
 
-@pytest.mark.parametrize("trim", sorted(LAYERS - {"train", "long train", "back cape"}))
+@pytest.mark.parametrize("trim", sorted(LAYERS - {"train", "long train", "back cape", "outer skirt"}))
 def test_layers_lie_outside_of_the_skirt(trim):
     garment = with_trims(gown(), trim)
     (layer,) = trim_meshes(garment)
@@ -55,7 +55,8 @@ def test_layers_lie_outside_of_the_skirt(trim):
 
 @pytest.mark.parametrize("trim", sorted(LAYERS))
 def test_layers_are_sound_and_face_outward(trim):
-    garment = with_trims(gown("fitted-dress" if trim == "back cape" else "strapless-dress"), trim)
+    worn_on = {"back cape": "fitted-dress", "outer skirt": "leggings"}
+    garment = with_trims(gown(worn_on.get(trim, "strapless-dress")), trim)
     (layer,) = trim_meshes(garment)
     a, b, c = (layer.vertices[layer.faces[:, k]] for k in range(3))
     across = np.cross(b - a, c - a)
@@ -84,3 +85,14 @@ def test_a_skirt_below_tulle_is_opaque():
     layered = replace(with_trims(gown(), "tulle layers"), looks=looks)
     assert any(look.is_sheer for look in looks_of_panels(bare))
     assert not any(look.is_sheer for look in looks_of_panels(layered))
+
+
+@pytest.mark.parametrize("name", ["leggings", "swimsuit"])
+def test_a_skirt_over_the_legs_hides_them_to_where_they_end(name):
+    options = {"length": 46.0, "taper": 0.0} if name == "leggings" else {}
+    sewer = GarmentSewer.load(Path(__file__).parents[1] / "garment_sewer" / "tiny_sewer.onnx")
+    garment = with_trims(sewer.sew(draft(name, **options)), "outer skirt")
+    (skirt,) = trim_meshes(garment)
+    around = np.hypot(*skirt.vertices[:, [0, 2]].T)
+    low = skirt.vertices[:, 1] < np.quantile(skirt.vertices[:, 1], 0.1)
+    assert around[low].min() > np.quantile(around[~low], 0.25)  # it falls outward, whatever is cut out below

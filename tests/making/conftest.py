@@ -123,6 +123,7 @@ TRIMMED = {
     "girl's dress": ("skater-dress", ("sash",)),
     "dirndl with a blouse": ("skater-dress", ("apron", "lacing", "blouse front")),
     "maternity top": ("t-shirt", ("bust gathers",)),
+    "skort": ("leggings", ("outer skirt",)),
 }
 """Name of a draft and what is put on it: between them all trims that there are."""
 

@@ -53,7 +53,7 @@ NAMES = (
     "blouse pleated at the neck", "blouse pleated at the shoulders", "blouse gathered at the neck",
     "blouse gathered at the shoulders",
     "stitched jeans", "seamed denim jacket", "buckled dungarees", "kilt", "folded leggings", "running top",
-    "girl's dress", "dirndl with a blouse", "maternity top",
+    "girl's dress", "dirndl with a blouse", "maternity top", "skort",
 )  # fmt: skip
 
 

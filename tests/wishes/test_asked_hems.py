@@ -99,3 +99,14 @@ def test_guesses_at_the_shape_of_a_curved_hem_are_not_cut():
     curved = NamedDraft("shirt", (("hem_rise", 6.0),))
     assert ("hem_shape", "high-low") in curved.has_in_spirit
     assert ("hem_shape", "high-low") not in NamedDraft("shirt").has_in_spirit
+
+
+@pytest.mark.parametrize("name", ["shirt", "t-shirt", "tank-top", "turtleneck"])
+def test_tops_may_be_longer_behind(name):
+    dipped = hem_as_asked(NamedDraft(name), [Claim("hem_shape", "high-low")], (), ())
+    assert ("hem_shape", "high-low") in dipped.is_to_the_eye
+    low = [
+        min(panel.to_world(panel.outline(0.5))[:, 1].min() for panel in made.panels if "btorso" in panel.name)
+        for made in (swifttailor.draft(name), swifttailor.draft(name, **dict(dipped.options)))
+    ]
+    assert low[0] - low[1] == pytest.approx(8.0, abs=1.5)

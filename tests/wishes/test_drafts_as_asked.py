@@ -175,11 +175,11 @@ SLITS = [Claim("slit", "left"), Claim("slit", "right")]
         ("t-shirt", [Claim("fit", "close"), Claim("bodice", "darted")], "fitted-top"),
         ("trousers(leg_ease=21)", [Claim("legs", "wide")], "trousers(leg_ease=42;flare=10)"),
         ("trousers(leg_ease=36;flare=6)", [Claim("legs", "wide")], "trousers(leg_ease=36;flare=6)"),
-        ("trousers(length=50;leg_ease=18)", [WIDE_LEGS], "trousers(length=50;leg_ease=60;flare=16)"),
+        ("trousers(length=50;leg_ease=18)", [WIDE_LEGS], "trousers(length=50;leg_ease=60;flare=2)"),
         (
             "trousers(length=50;leg_ease=18)",
             [WIDE_LEGS, Claim("hips", "loose")],
-            "trousers(length=50;leg_ease=60;flare=28;hip_ease=12)",
+            "trousers(length=50;leg_ease=60;flare=6;hip_ease=12)",
         ),
         ("trousers(length=100)", [Claim("leg_cuff_cm", 12.0)], "trousers(length=91)"),
         ("trousers", [Claim("leg_cuffs", "band")], "trousers(length=95)"),

@@ -10,8 +10,16 @@ import pytest
 from swifttailor.pattern.drafts import draft
 from swifttailor.pattern.drafts.draft_names import NamedDraft
 from swifttailor.pattern.trims.free_edges import armhole_edges
-from swifttailor.wishes.drafts.armholes_as_asked import armholes_as_asked
+from swifttailor.wishes.descriptions.hearing import hear_description
+from swifttailor.wishes.drafts.armholes_as_asked import armholes_as_asked, one_racer
+from swifttailor.wishes.reader import WishReader
 from swifttailor.wording.lexicon import read_words
+
+
+@pytest.fixture(scope="module")
+def reader() -> WishReader:
+    return WishReader.load()
+
 
 LACKS = read_words("a gym vest with a racerback").lacks
 
@@ -54,3 +62,35 @@ def test_bands_go_all_around_their_armholes(width):
     assert Counter(ref.panel for ref in armhole_edges(racer)) == {
         "left_btorso": 2, "right_btorso": 2, "left_ftorso": 1, "right_ftorso": 1,
     }  # fmt: skip
+
+
+@pytest.mark.parametrize("name", ["skater-dress", "bodysuit"])
+def test_darted_backs_are_cut_in_as_well_but_for_those_with_sleeves(name):
+    def armhole(**options):
+        edges = draft(name, **options).panel("left_btorso").edges
+        return len(edges)
+
+    assert armhole(racer=True) > armhole() and armhole(racer=True, sleeves=True) == armhole(sleeves=True)
+
+
+@pytest.mark.parametrize(
+    ("text", "name"),
+    [
+        ("tennis dress with a racer back", "skater-dress"),
+        ("netball dress, racerback", "skater-dress"),
+        ("racerback swimsuit", "bodysuit"),
+        ("racerback dress", "shift-dress"),
+        ("racerback vest", "tank-top"),
+    ],
+)
+def test_what_is_cut_in_keeps_the_skirt_that_its_name_means(text, name, reader):
+    first = hear_description(text, reader).drafts[0]
+    assert first.name == name and dict(first.options)["racer"] is True
+
+
+def test_a_word_for_the_back_gives_way_to_a_name():
+    named, word = (
+        NamedDraft("skater-dress", (("racer", True),)),
+        NamedDraft("shift-dress", (("racer", True),)),
+    )
+    assert one_racer([word, named]) == [named] and one_racer([word]) == [word]

@@ -356,3 +356,19 @@ def test_what_a_saying_does_not_mean_is_not_heard(reader, text, never):
 )
 def test_asides_of_stories_are_put_plainly(text, plain):
     assert without_asides(text) == plain
+
+
+@pytest.mark.parametrize(
+    ("text", "plain"),
+    [
+        ("a swimsuit with a bit of a skirt", "a skirted swimsuit"),
+        ("golf skirt with built-in shorts", "golf skort"),
+        ("skirt with shorts", "skirt with shorts"),
+        ("racerback top with a wide band underneath", "racerback top with an underband"),
+        ("nap pants, no strings", "nap pants, no drawstring"),
+        ("I'm six months pregnant, black work trousers", "I'm six months pregnant, black maternity trousers"),
+        ("capris with a little notch at the side of the hem", "capris with small side slits"),
+    ],
+)
+def test_what_goes_over_and_under_legs_is_put_plainly(text, plain):
+    assert plainly_wished(text) == plain

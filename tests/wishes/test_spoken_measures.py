@@ -50,6 +50,7 @@ def stated(text, kind):
         ("between 60 and 70 cm long", "skirt", {"skirt_length_cm": 65}),
         ("trousers, 104 cm long", "trousers", {"inseam_cm": 72}),
         ("Hose, 100 cm lang", "trousers", {"inseam_cm": 68}),
+        ("trousers, 185 cm", "trousers", {}),
         ("pants, 100cm", "trousers", {"inseam_cm": 68}),
         ("shorts 40 cm long", "shorts", {"inseam_cm": 8}),
         ("jeans, length 32", "trousers", {"inseam_cm": 81.28}),

@@ -20,7 +20,7 @@ TWO = [
     ("scrubs", "scrub top", "scrub trousers"),
     ("red bikini", "red bikini top", "red bikini bottoms"),
     ("red bikini top with high waisted bottoms", "red bikini top", "high waisted red bikini bottoms"),
-    ("tankini with skirt", "tankini", "swim skirt"),
+    ("tankini with skirt", "tankini top", "swim skirt"),
     ("pajamas with short sleeves and shorts", "pyjama top with short sleeves", "pyjama shorts"),
     ("pyjamas with a collar", "long sleeved pyjama top with a collar", "pyjama bottoms"),
     ("PJs with shorts and a strappy top", "a strappy pyjama top", "pyjama shorts"),

@@ -472,7 +472,7 @@ def test_a_small_detail_is_no_size_of_clothes(text, sizes):
         ("suspender skirt", "pinafore", {"kind=skirt"}),
         ("bistro apron", "apron", {"kind=skirt"}),
         ("lederhosen", "dungarees", {"kind=shorts", "leg_hem=knee"}),
-        ("skort", "trousers", {"kind=shorts", "legs=wide"}),
+        ("skort", "leggings", {"kind=shorts", "leg_hem=thigh"}),
         ("boho skirt", "tiered-skirt", {"skirt=tiered", "skirt_hem=maxi"}),
         ("thigh slit skirt", "fitted-skirt", {"slit=left", "slit_size=high"}),
         ("front slit skirt", "fitted-skirt", {"slit=front"}),

@@ -35,6 +35,7 @@ _SEWN = 14.0
 """How much of a train goes under at both sides, degrees."""
 _LEAVES, _POINTED = 0.5, 1.6
 """Where a train leaves the skirt, as a part of its height; and how much longer it is behind than beside."""
+_OVER_LEGS = "outer skirt"
 _ABOVE_FLOOR, _RIPPLE = 0.5, 1.2
 """How high a train lies, and how high its folds do, cm."""
 _BENDS, _SLOPE = 0.72, 0.2
@@ -123,6 +124,8 @@ def _over_skirt(garment: Garment, layer: Layer, behind: Floats) -> tuple[Floats,
     if found is None:
         return None
     reach, axis = found
+    if layer.trim == _OVER_LEGS:  # it hangs from the hips, whatever is cut out below them
+        reach = np.maximum.accumulate(reach, axis=0)
     share = np.linspace(0.0, 1.0, _ROWS)[:, None]
     first, last = reach[0], np.maximum(reach[-1], reach[-1].mean())
     wide = first + (last + layer.flare - first) * share**_BELL

@@ -317,6 +317,12 @@ _OTHERS: Mapping[str, tuple[str, str]] = {
         "Cut a half ring of 18 cm whose inner edge is as long as the waist, hem it, and catch it in the seam "
         "of the waist.",
     ),
+    "outer skirt": (
+        "Skirt over the legs",
+        "Cut two pieces that reach from the waist to 4 cm above the ends of the legs, as wide as the waist "
+        "above and half as wide again below. Sew their sides, hem them, and catch the upper edge in the seam "
+        "of the waist.",
+    ),
     "back cape": (
         "Cape behind",
         "Cut a piece as wide as the back and half as much again, as long as from the shoulders to the hem. "

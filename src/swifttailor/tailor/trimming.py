@@ -18,7 +18,7 @@ from swifttailor.wishes.looks.ribs import RIBBED
 from swifttailor.wishes.looks.second_colors import second_where_it_fits
 from swifttailor.wishes.trims.button_counts import buttons_stated, usual_buttons
 from swifttailor.wishes.trims.trims_spoken_of import refused_trims
-from swifttailor.wishes.trims.trims_wanted import TRIMS_OF, is_of_lace, trims_wanted
+from swifttailor.wishes.trims.trims_wanted import TRIMS_OF, WITHOUT_FLY, is_of_lace, trims_wanted
 from swifttailor.wording.lexicon.look_words import MOTIF
 
 _CLOSES_NECKS = ("polo placket", "half zip", "waist placket")
@@ -131,7 +131,9 @@ def _put_on(
         [
             lack
             for lack in heard.lacks
-            if lack.what not in made and not (closed and not lack.said and lack.what in _CLOSED_BY_IT)
+            if lack.what not in made
+            and (lack.said or not (closed and lack.what in _CLOSED_BY_IT))
+            and (lack.said or draft not in WITHOUT_FLY or lack.what != "zip")
         ]
     )
     return tuple(trims), said, heard if lacks == heard.lacks else replace(heard, lacks=lacks)

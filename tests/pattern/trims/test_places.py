@@ -163,6 +163,7 @@ SHOULD_HAVE = {
     "blouse front": ("skater-dress", "fitted-dress", "t-shirt"),
     "bust gathers": ("t-shirt", "shift-dress"),
     "hip knot": ("sarong", "wrap-skirt", "circle-skirt"),
+    "outer skirt": ("leggings", "trousers", "swimsuit", "bodysuit", "briefs"),
 }
 CHILDREN = (60.0, 92.0, 110.0, 128.0, 152.0)
 SOME = tuple(info for info in list_drafts() if info.name not in ("gored-skirt", "pleated-skirt"))
@@ -216,6 +217,7 @@ def test_has_its_place_on_the_drafts_that_should_have_it(name, drafts):
         ("strap buckles", "trousers"), ("kilt edge", "trousers"), ("hem border", "jeans"),
         ("folded band", "skater-dress"), ("thumb holes", "t-shirt"), ("sash", "camisole"),
         ("blouse front", "bustier"), ("bust gathers", "fitted-skirt"), ("hip knot", "t-shirt"),
+        ("outer skirt", "circle-skirt"), ("outer skirt", "t-shirt"),
     ],
 )  # fmt: skip
 def test_has_none_on_others(name, draft_name, drafts):

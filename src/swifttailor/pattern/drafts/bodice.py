@@ -97,6 +97,8 @@ class LooseBodice:
     """Length of the lower end of straight side seams that is left open, cm."""
     side_rise: float = 0.0
     """How far the hem rises to the side seams in curves, as a shirt's, cm; with no points in front."""
+    back_dip: float = 0.0
+    """How much lower the hem is in the middle of the back than at the side seams, cm."""
     follows: bool = False
     """Whether the side seams follow waist and hips, as cloth that stretches can; `waist_shaping` is then how
     far they may bend inward."""
@@ -171,6 +173,8 @@ def lay_loose_bodice(table: CuttingTable, figure: Figure, shape: LooseBodice) ->
         hem_x = max(hem_x, darted_half(figure, shape.length, front=front)) if darted else hem_x
         balance = LOOSE_HEM_BALANCE if shape.length > _CROPPED_CM else 1.0
         drop = balance * figure.front_fullness if front and not darted else 0.0
+        if not front and not darted:
+            drop = shape.back_dip
         start = max(shape.front_opening, 0.0) if front else 0.0
         curved = shape.side_rise > 0.0
         hem_end = min(hem_y + rise + shape.side_rise, under_y - SIDE_MINIMUM) if curved else hem_y + rise

@@ -84,7 +84,7 @@ SkirtFlare = Annotated[
 BandHeight = Annotated[float, Option("Height of the waistband.", "cm", 2.0, 9.0)]
 TrouserLength = Annotated[float, Option("Body's waist to the hem, down the side.", "cm", 36.0, 106.0)]
 LongTrouserLength = Annotated[
-    float, Option("Body's waist to the hem, down the side; longer ones drag.", "cm", 36.0, 118.0)
+    float, Option("Body's waist to the hem, down the side; longer ones drag.", "cm", 36.0, 130.0)
 ]
 LegEase = Annotated[float, Option("Room on top of the leg's girth at knee and hem.", "cm", 0.5, 60.0)]
 LegFlare = Annotated[
@@ -93,6 +93,9 @@ LegFlare = Annotated[
 GatheringLegCuff = Annotated[
     float,
     Option("Height of cuffs that the legs are gathered into below their length; 0: none.", "cm", 0.0, 8.0),
+]
+TopHemDip = Annotated[
+    float, Option("How much lower the hem is in the middle of the back than at the sides.", "cm", 0.0, 14.0)
 ]
 HemDip = Annotated[
     float, Option("How much lower the hem is behind than in front, without gathers.", "cm", 0.0, 60.0)

@@ -104,7 +104,8 @@ class NamedDraft:
         bib = (*bib, *(_OF_CROSSED if dict(self.options).get(CROSSED) else ()))
         bib = tuple([("kind", kind) for kind in self.without_bib]) or bib
         angular = dict(self.options).get(NECKLINE) in ANGULAR
-        broad = (("straps", "wide"),) if angular or (bib and STRAP_WIDTH in dict(self.options)) else ()
+        strapped = (bib or self.name == "bodysuit") and STRAP_WIDTH in dict(self.options)
+        broad = (("straps", "wide"),) if angular or strapped else ()
         high = (("slit_size", "high"),) if float(dict(self.options).get(SIDE_SLITS, 0.0)) >= HIGH_CM else ()
         wings = _OF_WINGS if dict(self.options).get(ARMHOLE) == "cut-in-one" else ()
         options = dict(self.options)
@@ -121,10 +122,13 @@ class NamedDraft:
         bowed = _OF_BOWS if options.get("bow") else _OF_BARRELS if options.get("barrel") else ()
         legs = (*(_OF_BLOUSING if blousing else ()), *ends, *bowed)
         long = self.name in _LONG_TOPS and float(options.get("length", 0.0)) >= LONG_TOP_CM
+        legs = (*legs, *(_OF_BODY_BANDS if self.name in _BODY_BANDS else ()))
         legs = (*legs, *self._tiers_to_the_eye, *(_OF_LONG_TOPS if long else ()))
         tall = _OF_TALL if stands and float(dict(self.options).get("collar_height", 0.0)) > _TALL_CM else ()
         shown = (_OF_STANDS if stands else (), tall, slits, falls, bib, broad, high, wings, hem, legs)
         are = _HALTER if options.get("halter") else DRAFTS_ARE.get(self.name, ())
+        high_halter = options.get("halter") and float(options.get("neck_depth", _V_CM)) < _V_CM
+        are = (*are, *(_OF_HIGH_HALTERS if high_halter else ()))
         return (*are, *[claim for claims in shown for claim in claims])
 
     @property
@@ -214,8 +218,11 @@ BLOUSING_CM = 30.0
 """With so much room at the knee, legs that end in cuffs hang over them."""
 _OF_BLOUSING = (("legs", "tapered"), ("legs", "wide"), ("hips", "loose"))
 _AT_THE_ANKLE_CM, _AT_THE_CALF_CM = 92.0, 70.0
-_OF_BOWS = (("legs", "slim"), ("legs", "tapered"), ("hips", "close"))
+_OF_BOWS = (("legs", "slim"), ("legs", "tapered"), ("hips", "close"), ("hips", "loose"))
 """Jodhpurs are close below the knee and full above it."""
+_BODY_BANDS, _OF_BODY_BANDS = ("jeans",), (("waistband", "shaped"),)
+"""Waistbands as wide as the body above and below, by less than a claim needs: of slim legs, which no other
+patterns have."""
 _OF_BARRELS = (("legs", "tapered"), ("hips", "loose"))
 """Barrel legs are widest at the knee."""
 _OF_ARCS = (("hem_shape", "scalloped"),)
@@ -300,6 +307,8 @@ _COLLARS_SHOW: Mapping[str, tuple[str, ...]] = {
     "hood": (),
 }
 """What a collar shows in place of the one that a draft has by itself."""
+_V_CM, _OF_HIGH_HALTERS = 11.0, (("neck_depth", "high"), ("collar", "stand"), ("neckline", "crew"))
+"""Halters whose necklines fall less are round and close to the neck, around which their strap goes on."""
 _HALTER = (
     ("back_depth", "open"),
     ("back_depth", "low"),

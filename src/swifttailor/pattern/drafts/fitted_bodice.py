@@ -13,6 +13,8 @@ from swifttailor.pattern.drafts.neckline import Neckline
 FRONT_BALANCE, BLADE_FULLNESS = 1.0, 0.04
 """Length of the front over the back of a straight fall, as a part of the body's extra length there; and of
 the back over the shoulder blades, as a part of the waist line."""
+_RACER_FULLNESS = 0.01
+"""The latter of a back that is cut in: its straps leave little to lie over."""
 
 
 @dataclass(frozen=True)
@@ -28,6 +30,8 @@ class FittedBodice:
     """Underarm point below the armpit, cm."""
     shoulder_extension: float = 0.0
     """Armhole seam beyond (positive) or inside (negative) the shoulder tip, cm."""
+    racer: bool = False
+    """Whether the back is cut in between the shoulder blades, so that its straps run together there."""
 
 
 def lay_fitted_bodice(table: CuttingTable, figure: Figure, shape: FittedBodice) -> Halves:
@@ -57,7 +61,8 @@ def lay_fitted_bodice(table: CuttingTable, figure: Figure, shape: FittedBodice) 
             front=front,
             balance=FRONT_BALANCE,
             scoop=scoop,
-            blade=BLADE_FULLNESS,
+            blade=_RACER_FULLNESS if shape.racer else BLADE_FULLNESS,
+            racer=shape.racer and not front,
         )
     sew_torso(table)
     return block.waist

@@ -73,5 +73,8 @@ def _halves(
 
 
 def _edge(chalk: Chalk, part: str, sign: int, y: float) -> float:
-    """The x of a half's edge in the middle at a height, cm."""
-    return chalk.middle(sign, y) if part == "ftorso" else 0.0
+    """The x of a half's edge in the middle at a height, cm; that of a back may be drawn in at the waist."""
+    if part == "ftorso":
+        return chalk.middle(sign, y)
+    span = chalk.views[f"{'left' if sign > 0 else 'right'}_{part}"].span(y)
+    return 0.0 if span is None else sign * min(abs(x) for x in span)

@@ -19,6 +19,10 @@ _BELOW_SHOULDER = 4.0
 """A cape hangs from so far below the points of the shoulders, cm."""
 _CLEAR_OF_FLOOR, _LEAST = 1.0, 10.0
 """How high a layer ends at least, and how long it is, cm."""
+_OVER_LEGS = "outer skirt"
+_SHOWN, _LEGLESS, _CALVES, _ABOVE_CALVES = 4.0, 36.0, 72.0, 46.0
+"""How much of shorts is seen below a skirt over them, where legs end that are none, and where those end that
+are no shorts; over these a skirt ends at the thigh, so far below the waist, cm."""
 _SKIRTS = ("skirt", "wb_", "ftorso", "btorso", "godet")
 
 
@@ -47,6 +51,7 @@ _CUTS: Mapping[str, _Cut] = {
     "tulle overskirt": _Cut(flare=14.0, reach=150.0, opacity=0.55),
     "tulle layers": _Cut(flare=13.0, opacity=0.7),
     "peplum": _Cut(flare=4.0, long=18.0),
+    _OVER_LEGS: _Cut(flare=9.0, long=28.0),
     "back cape": _Cut(flare=6.0, reach=80.0, from_shoulders=True),
 }
 LAYERS = frozenset(_CUTS)
@@ -56,14 +61,20 @@ LAYERS = frozenset(_CUTS)
 def layer(chalk: Chalk, name: str) -> list[Trim]:
     """Over the skirt from the waist to its hem; of a train behind alone, and on along the floor.
 
-    A peplum ends over the hips, and a cape hangs from the shoulders behind.
+    A peplum ends over the hips, a cape hangs from the shoulders behind, and a skirt over shorts lets a
+    little of them be seen.
     """
-    found = _skirt(chalk)
+    found = _legs(chalk) if name == _OVER_LEGS else _skirt(chalk)
     if found is None:
         return []
     view, low = found
     cut, s = _CUTS[name], chalk.size
     height = chalk.waist - _BELOW_WAIST * s
+    if name == _OVER_LEGS:
+        bare = height - low < _LEGLESS * s
+        long = height - low > _CALVES * s
+        low = height - (cut.long if bare else _ABOVE_CALVES) * s if bare or long else low + _SHOWN * s
+        return [Layer(name, view.panel.name, height, low, flare=cut.flare * s, reach=cut.reach)]
     if height - low < max(_SHORTEST, cut.long) * s or (cut.behind > 0.0 and low > _ON_FLOOR * s):
         return []
     if cut.from_shoulders:
@@ -100,3 +111,10 @@ def _skirt(chalk: Chalk) -> tuple[FrontView, float] | None:
     lowest = [view for view in hanging if view.low < low + 1.0]
     behind = [view for view in lowest if "back" in view.panel.name or "btorso" in view.panel.name]
     return (behind or lowest)[0], low
+
+
+def _legs(chalk: Chalk) -> tuple[FrontView, float] | None:
+    """A leg's back panel, and where legs end, cm; None of what has none, or ends below the calves."""
+    views = {name: view for name, view in chalk.views.items() if name.startswith("pant_")}
+    back = views.get("pant_b_l")
+    return None if back is None else (back, min(view.low for view in views.values()))

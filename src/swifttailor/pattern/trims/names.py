@@ -139,6 +139,7 @@ TRIMS: Mapping[str, str] = {
     "blouse front": "a white blouse above the bodice",
     "bust gathers": "gathers below the bust",
     "hip knot": "a knot at the left hip",
+    "outer skirt": "a short skirt over the legs",
 }
 """By name, what each is for people. None joins panels, so none changes how a garment is cut or hangs."""
 LIKE_EACH_OTHER = (
@@ -193,7 +194,7 @@ LIKE_EACH_OTHER = (
     ("rips", "knee rips", "left knee rip", "right knee rip", "knee patches"),
     ("chest heart", "chest star"),
     ("train", "long train"),
-    ("overskirt", "tulle overskirt", "tulle layers", "peplum"),
+    ("overskirt", "tulle overskirt", "tulle layers", "peplum", "outer skirt"),
 )
 """Groups of which a garment has one at most."""
 MOST_BUTTONS = 20

@@ -192,6 +192,7 @@ _PLACES: Mapping[str, Callable[[Chalk, str], list[Trim]]] = {
     "blouse front": blouse_front,
     "bust gathers": bust_gathers,
     "hip knot": belts.hip_knot,
+    "outer skirt": layer,
 }
 """How each of `names.TRIMS` is marked."""
 

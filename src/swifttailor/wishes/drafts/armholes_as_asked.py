@@ -66,6 +66,10 @@ _WING_CM, _COAT_WING_CM = 18.0, 10.0
 _TANK, _OF_RACERS = "tank-top", {"strap_width": 3.5, "neck_widening": 1.5, "back_neck_depth": 8.0}
 """Straps of a back that is cut in are at most so wide, and its neck so deep, cm."""
 _RACER_DRESS = {"neck_widening": 1.5, "back_neck_depth": 8.0}
+_OF_DARTED = {"back_neck_depth": 8.0}
+_SUIT = {"stretch": 8.0, "neck_widening": 2.5, "neck_depth": 14.0, **_OF_DARTED, RACER: True}
+_DARTED = ("skater-dress", "bodysuit")
+"""Drafts with darts whose back may be cut in as well."""
 _SLEEVED = ("shift-dress",)
 """Drafts that have sleeves only where an option says so."""
 
@@ -92,6 +96,11 @@ def armholes_as_asked(draft: NamedDraft, lacks: Sequence[Lack]) -> NamedDraft:
             return _with(draft, {**options, **narrow, RACER: True})
         if lack.what == RACERBACK and draft.name in _SLEEVED and not options.get("sleeves"):
             return replace(draft, options=tuple({**options, **_RACER_DRESS, RACER: True}.items()))
+        if lack.what == RACERBACK and draft.name in _DARTED:
+            bare = {"sleeves": False, RACER: True}
+            return replace(draft, options=tuple({**_OF_DARTED, **options, **bare}.items()))
+        if lack.what == RACERBACK and draft.name == "swimsuit" and not options.get("halter"):
+            return NamedDraft("bodysuit", tuple(_SUIT.items()))
         if lack.what == RAGLAN and draft.name in _RAGLAN and not puffed:
             return _with(draft, {**options, ARMHOLE: "raglan"})
         if lack.what == DROPPED and draft.name in _DROPPED:
@@ -107,3 +116,10 @@ def _with(draft: NamedDraft, options: Mapping[str, float | bool | str]) -> Named
     if draft.name in _SLEEVED:
         options = {"sleeves": True, **options}
     return replace(draft, options=tuple(options.items()))
+
+
+def one_racer(drafts: Sequence[NamedDraft]) -> list[NamedDraft]:
+    """Drafts of which a dress that the word for such a back begins from gives way to what the text names."""
+    darted = any(draft.name in _DARTED and dict(draft.options).get(RACER) for draft in drafts)
+    racers = ("shift-dress", _TANK)
+    return [d for d in drafts if not (darted and d.name in racers and dict(d.options).get(RACER))]

@@ -18,6 +18,8 @@ from swifttailor.pattern.drafts.draft_names import (
 RISE_CM = 6.0
 """How much higher a curved hem is at the side seams than in the middle."""
 _MAY_CURVE = ("shirt", "t-shirt", "tank-top", "shift-dress")
+_MAY_DIP, _TOP_DIP_CM = ("shirt", "t-shirt", "tank-top", "turtleneck"), 8.0
+"""Tops whose hem may be longer behind, and by how much it then is, cm."""
 _LEVEL = Claim("hem_shape", "level")
 _LONGER_BEHIND, _SCALLOPED = Claim("hem_shape", "high-low"), Claim("hem_shape", "scalloped")
 _POINTED = Claim("hem_shape", "pointed")
@@ -62,6 +64,8 @@ def hem_as_asked(
     options = dict(draft.options)
     if draft.name in _ROUND and not {_LONGER_BEHIND, _SCALLOPED, _POINTED}.isdisjoint(claims):
         return _shaped(draft, claims)
+    if draft.name in _MAY_DIP and _LONGER_BEHIND in claims:
+        return replace(draft, options=tuple({**options, HEM_DIP: _TOP_DIP_CM}.items()))
     if CURVED_HEM in lacks:
         if draft.name == _SHIRT_DRESS and not any(claim.name in _WAISTED for claim in claims):
             own = {name: options[name] for name in ("collar", "collar_height") if name in options}

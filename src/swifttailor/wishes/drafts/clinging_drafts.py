@@ -14,10 +14,11 @@ _STRETCH_CM, _SHAPING_CM = 10.0, 4.0
 """Per cent by which such cloth is cut smaller, and the bend of the sides at the waist, cm."""
 _OF_TOPS = 5.0, 3.0, 2.5
 """The same of tops, and their room at the chest: with less they ride up, and lie in a roll above the seat."""
-_SPORT_STRETCH_CM, _OF_SPORT = 8.0, (2.0, 4.0)
-"""Tops of cloth that gives so much lie on the body all the way: their room at the chest and their bend."""
-_SPORT_LENGTH_CM, _WAIST_CM = 34.0, 12.0
-"""They end below the seat, which shorter ones ride up, unless they end at the waist, cm below it."""
+_SPORT_STRETCH_CM, _OF_SPORT, _TO_THE_HIP = 8.0, (2.0, 4.0), (2.5, 2.5)
+"""Tops of cloth that gives so much lie on the body all the way: their room at the chest and their bend; the
+same of those to the hip, which would lie in a roll above the seat."""
+_SPORT_LENGTH_CM, _WAIST_CM = 27.0, 12.0
+"""They end low on the seat, which shorter ones ride up, unless they end at the waist, cm below it."""
 _KNITTED = ("t-shirt", "tank-top", "turtleneck", "shift-dress")
 """Drafts without darts that follow the body where their cloth stretches."""
 _DRESSES = ("fitted-dress", "skater-dress")
@@ -88,7 +89,8 @@ def clinging_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
             room, shaping = _OF_SPORT
             told = any(claim.name in ("top_hem", "length_cm") for claim in claims)
             if not told and float(options.get("length", _SPORT_LENGTH_CM)) >= _WAIST_CM:
-                options["length"] = _SPORT_LENGTH_CM
+                room, shaping = _TO_THE_HIP
+                options["length"] = max(_SPORT_LENGTH_CM, float(options.get("length", 0.0)))
         options[STRETCH] = max(stretch, own)
         options |= {"chest_ease": room, SHAPING: shaping, "flare": 0.0}
         if draft.name != "tank-top":

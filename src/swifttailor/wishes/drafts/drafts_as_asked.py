@@ -36,7 +36,7 @@ from swifttailor.wishes.drafts.slits_as_told import (
     is_slit,
     with_side_slits,
 )
-from swifttailor.wishes.drafts.swimsuits_as_asked import swimsuit_as_asked
+from swifttailor.wishes.drafts.swimsuits_as_asked import on_tank_straps, swimsuit_as_asked
 
 _BARE = Claim("shoulders", "strapless")
 _ROLLED_CM, _STANDS_CM = 8.0, 4.0
@@ -176,6 +176,7 @@ def _as_another(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
         return NamedDraft("fitted-top")
     if draft.name == "swimsuit":
         return swimsuit_as_asked(draft, claims)
+    draft = on_tank_straps(draft, claims)
     if draft.name == _SWEATSHIRT and Claim("hood", "hood") in claims:
         return NamedDraft("hoodie", tuple([o for o in draft.options if o[0] in _OF_BANDED]))
     if draft.name == "blazer" and Claim("collar", "none") in claims:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from swifttailor.describing.claims import Claim
 from swifttailor.describing.differences import Gain
 from swifttailor.pattern.drafts.draft_names import NamedDraft
-from swifttailor.wishes.drafts.armholes_as_asked import armholes_as_asked
+from swifttailor.wishes.drafts.armholes_as_asked import armholes_as_asked, one_racer
 from swifttailor.wishes.drafts.asked_hems import hem_as_asked
 from swifttailor.wishes.drafts.bubble_hems import bubble_as_asked
 from swifttailor.wishes.drafts.clinging_drafts import STRETCH, clinging_as_asked
@@ -113,8 +113,8 @@ def drafts_of(heard: Heard) -> tuple[NamedDraft, ...]:
     """
     entries = _entries(heard)
     sure = _sure_claims(heard)
-    begun = on_a_halter(_begun(heard, entries, sure))
-    fitting = [armholes_as_asked(draft, heard.lacks) for draft in begun]
+    begun = on_a_halter(_begun(heard, entries, sure), sure)
+    fitting = one_racer([armholes_as_asked(draft, heard.lacks) for draft in begun])
     fitting = [oversized_as_asked(draft, sure) for draft in fitting]
     fitting = [hearted_as_asked(draft, heard.lacks, sure) for draft in fitting]
     if _clings(heard) and not is_to_be_loose(sure):

@@ -1,4 +1,4 @@
-"""Jumpsuits with the collar of a shirt, where a text asks for a collar and for no flatter one."""
+"""Jumpsuits and dresses with the collar of a shirt, where a text asks for a collar and for no flatter one."""
 
 from __future__ import annotations
 
@@ -16,8 +16,14 @@ _SHIRT = {"collar": "shirt", "neck_widening": 1.0, "neck_depth": 10.0}
 """The collar of boiler suits, and the close neck that it stands on, cm."""
 
 
+_DRESS, _SHIRT_COLLAR = "shirt-dress", "shirt_collar"
+_OF_DRESSES = {"collar": "shirt", "neck_depth": 9.0}
+
+
 def with_shirt_collar(draft: NamedDraft, text: str, lacks: Collection[str]) -> NamedDraft:
     """A jumpsuit whose collar is that of a shirt; others, and those of flatter collars, as they are.
+
+    So is a dress of which a collar like that of shirts or polo shirts is asked for in so many words.
 
     Args:
         draft: As it was asked for otherwise.
@@ -25,8 +31,11 @@ def with_shirt_collar(draft: NamedDraft, text: str, lacks: Collection[str]) -> N
         lacks: Keys of ``cannot.txt`` that it asks for.
     """
     options = dict(draft.options)
+    flatter = "flat_collar" in lacks or _FLATTER.search(text) is not None
+    if draft.name == _DRESS and _FLAT in draft.options and _SHIRT_COLLAR in lacks and not flatter:
+        return replace(draft, options=tuple({**_OF_DRESSES, **options, "collar": "shirt"}.items()))
     if draft.name != "jumpsuit" or _FLAT not in draft.options or "neck_depth" in options:
         return draft
-    if "flat_collar" in lacks or _FLATTER.search(text):
+    if flatter:
         return draft
     return replace(draft, options=tuple({**options, **_SHIRT}.items()))

@@ -37,15 +37,19 @@ _BELOW_WAIST: Mapping[Claim, float] = {Claim("rise", "mid"): 5.0, Claim("rise", 
 """How far below the waist trousers begin, cm."""
 _MAY_DRAG = ("trousers", "pull-on-trousers")
 """Drafts of legs of any length."""
-_OVER_INSEAM_CM, _LONG_LEGS_CM = 33.3, (90.0, 118.0)
+_OVER_INSEAM_CM, _LONG_LEGS_CM = 33.3, (90.0, 130.0)
 """Length down the side over that of the inseam, and the lengths that are drafted so, cm."""
 _WIDE, _WIDE_CM = Claim("legs", "wide"), 30.0
+_LEG_CM, _WIDER_CM, _CLOSEST_CM, _MOST_NARROWED_CM, _EASY_CM = 34.0, 10.0, 9.0, 20.0, 4.0
+"""Girth of a leg below the knee; by how much the ends of wide legs may be wider than is told; the least room,
+the most that is narrowed, and the room at the hips of those that are, cm."""
 _FULL_CM, _CUFF_CM, _BELOW_CUFFS_CM = 100.0, 8.0, 3.0
 """Length of legs, height of their cuffs where none is told, and what of these may go below the hem, cm."""
 _SHORTS_CM = 66.0
 """Legs that are no longer end at the knee or above."""
-_WIDE_SHORTS: Mapping[str, float] = {"leg_ease": 60.0, "flare": 16.0}
-_WIDEST_SHORTS: Mapping[str, float] = {"leg_ease": 60.0, "flare": 28.0}
+_WIDE_SHORTS: Mapping[str, float] = {"leg_ease": 60.0, "flare": 2.0}
+_WIDEST_SHORTS: Mapping[str, float] = {"leg_ease": 60.0, "flare": 6.0}
+"""As wide as the thigh of the pattern all the way down: what flares from there looks like a skirt."""
 _BAGGY: Mapping[str, float] = {"hip_ease": 14.0, "leg_ease": 30.0, "flare": -4.0}
 """Joggers with wide legs: they are baggy, and no harem trousers unless those are meant."""
 _TAPERED, _TO_THE_ANKLE_CM, _WIDE_BAND_CM = Claim("legs", "tapered"), 92.0, 8.0
@@ -125,6 +129,7 @@ def _with_legs(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
             options |= {"below_waist": _BELOW_WAIST[claim]} if claim in _BELOW_WAIST else {}
             options |= _as_long(draft.name, claim)
         if draft.name in _MAY_DRAG:
+            options |= _as_wide(options, claims)
             options |= _above_cuffs(options, claims)
         if _WIDE_BAND in claims and draft.name in _WIDE_BANDS:
             options["band_height"] = max(_BROAD_CM, float(options.get("band_height", 0.0)))
@@ -163,6 +168,20 @@ def _as_long(name: str, claim: Claim) -> Mapping[str, float]:
         return {}
     length = float(claim.value) + _OVER_INSEAM_CM
     return {"length": round(length, 1)} if _LONG_LEGS_CM[0] <= length <= _LONG_LEGS_CM[1] else {}
+
+
+def _as_wide(options: Mapping[str, float | bool | str], claims: Sequence[Claim]) -> Mapping[str, float]:
+    """Room of wide legs whose ends are told: narrowed by a cut they would keep that of wider ones above."""
+    told = [float(c.value) for c in claims if c.name == "leg_width_cm" and not isinstance(c.value, str)]
+    room, flare = (float(options.get(name, 0.0)) for name in ("leg_ease", "flare"))
+    if not told or room < _WIDE_CM or told[0] - _LEG_CM > room + flare - _WIDER_CM:
+        return {}
+    room = max(min(room, told[0] - _LEG_CM), _CLOSEST_CM)
+    return {
+        "leg_ease": room,
+        "flare": max(told[0] - _LEG_CM - room, -_MOST_NARROWED_CM),
+        "hip_ease": _EASY_CM,
+    }
 
 
 def _above_cuffs(options: Mapping[str, float | bool | str], claims: Sequence[Claim]) -> Mapping[str, float]:

@@ -266,7 +266,8 @@ def _said_of(
                 return Claim(
                     "skirt_length_cm" if kind == "skirt" else "length_cm", _exact(text, mention)
                 ), True
-        if alone and kind in ("trousers", "shorts") and mention.value > _CROTCH_CM:
+        most = _CROTCH_CM + _BOUNDS["inseam_cm"][1]  # beyond, it is the wearer's height
+        if alone and kind in ("trousers", "shorts") and _CROTCH_CM < mention.value <= most:
             return Claim("inseam_cm", round(_exact(text, mention) - _CROTCH_CM, 2)), True
         return None, False
     _, claim, _ = min(near)

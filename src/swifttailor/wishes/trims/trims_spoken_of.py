@@ -20,7 +20,7 @@ def refused_trims(heard: Heard) -> frozenset[str]:
         for entry in mark.entries if mark.denied else ():
             if entry.category == _DETAILS or mark.word.lower() in TRIMS:  # not those of jeans: "no jeans"
                 found |= set(entry.trims) or {name for key in entry.cannot for name in TRIMS_OF.get(key, ())}
-    return frozenset(found)
+    return frozenset(found | {"drawstring"} if "lacing" in found else found)
 
 
 def speaks_of_trims_alone(words: WordReading) -> bool:

@@ -104,6 +104,7 @@ TRIMS_OF: Mapping[str, tuple[str, ...]] = {
     "thumb_holes": ("thumb holes",),
     "blouse_front": ("blouse front",),
     "bust_gathers": ("bust gathers",),
+    "divided": ("outer skirt",),
 }
 """By key of what cannot be made of panels, which trims can stand for it."""
 _JACKETS = frozenset(
@@ -141,6 +142,8 @@ _INSTEAD = frozenset(
 """What closes, opens or fills a neck, so that no buttons do."""
 _PULLED_ON = frozenset({"off-shoulder-top", "bandeau", "bustier", "halter-top", "tank-top", "camisole"})
 """Drafts that are buttoned in front only where a text or a name says so."""
+WITHOUT_FLY = frozenset({"pull-on-trousers", "joggers", "leggings"})
+"""Drafts of legs that are drawn up over the hips, and opened only where a text says so."""
 _BOAT = Claim("neckline", "boat")
 _OPEN_KNIT, _HEM_BAND = "cardigan", Gain(Claim("waistband", "hem"))
 """The draft whose fronts no band joins at the hem: it is put on as a trim."""
@@ -190,6 +193,8 @@ def trims_wanted(heard: Heard, draft: str = "", kind: str = "", *, anew: bool = 
             continue
         can = TRIMS_OF.get(lack.what, ())
         own = tuple([name for name in _of_garment(heard) if name in can])
+        if lack.what == "zip" and not lack.said and draft in WITHOUT_FLY:
+            continue
         if not lack.said and lack.what in _SAID_ALONE and not own and not _is_worn_beside(heard, lack.what):
             can = ()
         if lack.what == "buttons" and not lack.said and _is_closed_otherwise(heard, named, own, draft):
@@ -359,7 +364,16 @@ def _usual(what: str, kind: str, cloth: str | None, draft: str) -> tuple[tuple[s
         return ((pleated,),) if kind in (*_LOWER, "top", "tunic") else ()
     if what == "wrap" or (what == "buckles" and draft not in BIBBED):
         return ()
-    if what in ("padding", "lettering", "asymmetric_closing", "fur", "cut_outs", "draped", "rib_bands"):
+    if what in (
+        "padding",
+        "lettering",
+        "asymmetric_closing",
+        "fur",
+        "cut_outs",
+        "draped",
+        "rib_bands",
+        "divided",
+    ):
         return ()
     return tuple([(name,) for name in TRIMS_OF.get(what, ())])
 

@@ -108,6 +108,8 @@ _WORDS = ("ambiguous", "plural")
 LONGEST_GLOSS = 120
 """Characters."""
 _HEX = frozenset("0123456789abcdef")
+_OF_ALL_TROUSERS = frozenset({"zip", "pockets"})
+"""What all trousers have and no panels make, so that it says nothing of which they are."""
 _KIND_AND_LENGTH = frozenset({"kind", "skirt_hem", "leg_hem", "top_hem"})
 _CERTAINTIES: tuple[Certainty, ...] = ("usual", "likely")
 
@@ -189,7 +191,8 @@ class Entry:
     @property
     def is_mere_kind(self) -> bool:
         """Whether it names a kind of garment and at most its length: trousers, a midi skirt."""
-        if self.category != "garments" or self.against or self.cannot or self.cloth:
+        told = self.cannot and set(self.cannot) != _OF_ALL_TROUSERS
+        if self.category != "garments" or self.against or told or self.cloth:
             return False
         return all(i.claim.name in _KIND_AND_LENGTH or i.certainty == "usual" for i in self.implied)
 

@@ -82,6 +82,7 @@ class ShirtOptions(PoloShirtOptions):
     armhole: RaglanOption = "set-in"
     hem_opening: declared.HemOpening = 4.0
     hem_rise: declared.HemRise = 0.0
+    hem_dip: declared.TopHemDip = 0.0
 
 
 def draft_shirt(options: ShirtOptions, measurements: Measurements) -> Pattern:
@@ -115,6 +116,7 @@ def _lay_left(
         side_slits=options.side_slits,
         waist_shaping=options.waist_shaping,
         side_rise=options.hem_rise if isinstance(options, ShirtOptions) else 0.0,
+        back_dip=options.hem_dip if isinstance(options, ShirtOptions) else 0.0,
     )
     lay_loose_bodice(table, figure, bodice)
     collar.lay(table, figure)

@@ -33,6 +33,11 @@ from swifttailor.pattern.pattern import Pattern
 
 _INSET_CM = 1.5
 """How far the armholes of a sleeveless shirt dress lie inside the shoulder tips."""
+RacerBack = Annotated[
+    bool, Option("Cut the back in between the shoulder blades, where there are no sleeves.")
+]
+_RACER_STRAP_CM = 5.0
+"""Width of the straps of such a back on the shoulder."""
 
 
 @dataclass(frozen=True)
@@ -221,13 +226,14 @@ class SkaterDressOptions(SleevedBodiceOptions):
     hem_dip: declared.HemDip = 0.0
     scallop_width: declared.ScallopWidth = 0.0
     hem_points: declared.HemPoints = 0.0
+    racer: RacerBack = False
 
 
 def draft_skater_dress(options: SkaterDressOptions, measurements: Measurements) -> Pattern:
     """Drafts the skater dress for a body: fit and flare, of any length."""
     figure = Figure.of(measurements).for_cloth(options.stretch / 100)
     table = CuttingTable("skater-dress", options.stretch / 100)
-    waist = lay_sleeved_bodice(table, figure, options)
+    waist = lay_sleeved_bodice(table, figure, options, racer=options.racer)
     table.mirror()
     sew_centres(table)
     hem = HemShape(options.hem_dip, options.scallop_width, points=options.hem_points)
@@ -330,12 +336,39 @@ def draft_jumpsuit(options: JumpsuitOptions, measurements: Measurements) -> Patt
 
 
 def lay_sleeved_bodice(
-    table: CuttingTable, figure: Figure, options: SleevedBodiceOptions, neckline: Neckline | None = None
+    table: CuttingTable,
+    figure: Figure,
+    options: SleevedBodiceOptions,
+    neckline: Neckline | None = None,
+    *,
+    strap: float = 0.0,
+    racer: bool = False,
 ) -> Halves:
-    """Lays a bodice with sleeves, or with armholes further in; the sewn half widths of its waist."""
-    inset = 0.0 if options.sleeves else 1.5
+    """Lays a bodice with sleeves, or with armholes further in.
+
+    Args:
+        table: Where it goes.
+        figure: The body.
+        options: Of its garment.
+        neckline: Instead of that of the options.
+        strap: Width of the shoulder where there are no sleeves, cm; 0: nearly all of it.
+        racer: Whether the back is cut in between the shoulder blades, where there are none.
+
+    Returns:
+        The sewn half widths of its waist, cm.
+    """
+    strap = _RACER_STRAP_CM if racer and not strap else strap
+    asked = neckline or _neckline(options)
+    extension = 0.0 if options.sleeves else -_INSET_CM
+    if strap and not options.sleeves:
+        extension = min(extension, asked.start_x(figure) + strap - figure.shoulder_x)
     bodice = FittedBodice(
-        neckline or _neckline(options), options.bust_ease, options.waist_ease, options.armhole_drop, -inset
+        asked,
+        options.bust_ease,
+        options.waist_ease,
+        options.armhole_drop,
+        extension,
+        racer=racer and not options.sleeves,
     )
     waist = lay_fitted_bodice(table, figure, bodice)
     _set_in_sleeves(table, figure, options)

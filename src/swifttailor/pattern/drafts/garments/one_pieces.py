@@ -12,7 +12,11 @@ from swifttailor.pattern.drafts.briefs import Briefs, lay_briefs
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure, Halves
 from swifttailor.pattern.drafts.fitted_strap_bodice import FittedStrapBodice, lay_fitted_strap_bodice
-from swifttailor.pattern.drafts.garments.fitted_garments import SleevedBodiceOptions, lay_sleeved_bodice
+from swifttailor.pattern.drafts.garments.fitted_garments import (
+    RacerBack,
+    SleevedBodiceOptions,
+    lay_sleeved_bodice,
+)
 from swifttailor.pattern.drafts.garments.strappy import FrontDip, StrapWidth
 from swifttailor.pattern.drafts.halter_bodice import HalterBodice, lay_halter_bodice, sew_strap
 from swifttailor.pattern.drafts.joins import sew_trousers_to_band, sew_trousers_to_bodice
@@ -33,7 +37,8 @@ SeatCover = Annotated[
     float, Option("How much of the seat the back covers; 0 leaves a strip in the middle.", "times", 0.0, 1.0)
 ]
 _CROTCH_DROP_CM = 0.0
-_HALTER_NECK = Neckline("v", 0.5, 16.0)
+_ROUND_CM = 11.0
+"""Halters whose necklines fall less are round."""
 _BRIEFS_BAND_CM, _BRIEFS_DROP_CM = 3.0, 3.0
 """Height of the band of briefs, and by how much they reach lower than what hangs from the shoulders."""
 
@@ -73,13 +78,17 @@ class BodysuitOptions(SleevedBodiceOptions):
     hip_ease: CloseHipEase = 3.0
     leg_height: LegHeight = 4.0
     stretch: declared.ClothStretch = 8.0
+    strap_width: Annotated[
+        float, Option("Width of the shoulder where there are no sleeves; 0: all of it.", "cm", 0.0, 10.0)
+    ] = 0.0
+    racer: RacerBack = False
 
 
 def draft_bodysuit(options: BodysuitOptions, measurements: Measurements) -> Pattern:
     """Drafts the bodysuit for a body: a darted bodice, sleeves or none, cut out over the legs."""
     figure = Figure.of(measurements).for_cloth(options.stretch / 100)
     table = CuttingTable("bodysuit", options.stretch / 100)
-    waist = lay_sleeved_bodice(table, figure, options)
+    waist = lay_sleeved_bodice(table, figure, options, strap=options.strap_width, racer=options.racer)
     return _without_legs(table, figure, Briefs(options.hip_ease, options.leg_height, _CROTCH_DROP_CM), waist)
 
 
@@ -95,6 +104,10 @@ class SwimsuitOptions:
     leg_height: LegHeight = 4.0
     stretch: declared.ClothStretch = 8.0
     halter: Annotated[bool, Option("Its front rises to the neck and is held by a strap behind it.")] = False
+    neck_depth: Annotated[
+        float,
+        Option("Fall of the neckline of such a front: a V, or round where it is high.", "cm", 7.0, 20.0),
+    ] = 16.0
 
 
 def draft_swimsuit(options: SwimsuitOptions, measurements: Measurements) -> Pattern:
@@ -102,8 +115,10 @@ def draft_swimsuit(options: SwimsuitOptions, measurements: Measurements) -> Patt
     figure = Figure.of(measurements).for_cloth(options.stretch / 100)
     table = CuttingTable("swimsuit", options.stretch / 100)
     if options.halter:
+        shape = "round" if options.neck_depth < _ROUND_CM else "v"
+        neck = Neckline(shape, 0.5, options.neck_depth)
         front = HalterBodice(
-            options.bust_ease, 0.0, max(options.strap_width, 1.5), _HALTER_NECK, 0.0, options.waist_ease
+            options.bust_ease, 0.0, max(options.strap_width, 1.5), neck, 0.0, options.waist_ease
         )
         waist = lay_halter_bodice(table, figure, front)
         assert waist is not None

@@ -60,6 +60,7 @@ class TShirtOptions:
     wing: WingOption = 8.0
     side_slits: declared.SideSlits = 0.0
     hem_rise: declared.HemRise = 0.0
+    hem_dip: declared.TopHemDip = 0.0
     waist_shaping: declared.WaistShaping = 0.0
     stretch: declared.ClothStretch = 0.0
 
@@ -78,6 +79,7 @@ def draft_t_shirt(options: TShirtOptions, measurements: Measurements) -> Pattern
         shoulder_extension=options.shoulder_extension,
         side_slits=options.side_slits,
         side_rise=options.hem_rise,
+        back_dip=options.hem_dip,
         waist_shaping=options.waist_shaping,
         follows=follows_body(options.stretch, options.waist_shaping, options.armhole),
     )
@@ -110,6 +112,7 @@ class TankTopOptions:
     armhole_drop: declared.ArmholeDrop = 2.0
     racer: Annotated[bool, Option("Cut the back in between the shoulder blades.")] = False
     hem_rise: declared.HemRise = 0.0
+    hem_dip: declared.TopHemDip = 0.0
     waist_shaping: declared.WaistShaping = 0.0
     stretch: declared.ClothStretch = 0.0
     side_slits: declared.SideSlits = 0.0
@@ -131,6 +134,7 @@ def draft_tank_top(options: TankTopOptions, measurements: Measurements) -> Patte
         shoulder_extension=min(strap_end - figure.shoulder_x, 0.0),
         racer=options.racer,
         side_rise=options.hem_rise,
+        back_dip=options.hem_dip,
         side_slits=options.side_slits,
         waist_shaping=options.waist_shaping,
         follows=follows_body(options.stretch, options.waist_shaping),
@@ -168,6 +172,7 @@ class TurtleneckOptions:
     armhole: ArmholeCutOption = "set-in"
     wing: WingOption = 8.0
     side_slits: declared.SideSlits = 0.0
+    hem_dip: declared.TopHemDip = 0.0
     waist_shaping: declared.WaistShaping = 0.0
     opening: declared.OverlapOrOpening = 0.0
     closed_to: declared.ClosedTo = 0.0
@@ -186,6 +191,7 @@ def draft_turtleneck(options: TurtleneckOptions, measurements: Measurements) -> 
         flare=options.flare,
         shoulder_extension=0.0 if options.sleeves else -_INSET_CM,
         side_slits=options.side_slits,
+        back_dip=options.hem_dip,
         waist_shaping=options.waist_shaping,
         follows=follows_body(options.stretch, options.waist_shaping, options.armhole),
         front_opening=options.opening,
