@@ -221,13 +221,16 @@ class SkaterDressOptions(SleevedBodiceOptions):
     hem_dip: declared.HemDip = 0.0
     scallop_width: declared.ScallopWidth = 0.0
     hem_points: declared.HemPoints = 0.0
+    racer: Annotated[
+        bool, Option("Cut the back in between the shoulder blades, where there are no sleeves.")
+    ] = False
 
 
 def draft_skater_dress(options: SkaterDressOptions, measurements: Measurements) -> Pattern:
     """Drafts the skater dress for a body: fit and flare, of any length."""
     figure = Figure.of(measurements).for_cloth(options.stretch / 100)
     table = CuttingTable("skater-dress", options.stretch / 100)
-    waist = lay_sleeved_bodice(table, figure, options)
+    waist = lay_sleeved_bodice(table, figure, options, racer=options.racer)
     table.mirror()
     sew_centres(table)
     hem = HemShape(options.hem_dip, options.scallop_width, points=options.hem_points)
@@ -330,12 +333,23 @@ def draft_jumpsuit(options: JumpsuitOptions, measurements: Measurements) -> Patt
 
 
 def lay_sleeved_bodice(
-    table: CuttingTable, figure: Figure, options: SleevedBodiceOptions, neckline: Neckline | None = None
+    table: CuttingTable,
+    figure: Figure,
+    options: SleevedBodiceOptions,
+    neckline: Neckline | None = None,
+    *,
+    yoke: bool = False,
+    racer: bool = False,
 ) -> Halves:
     """Lays a bodice with sleeves, or with armholes further in; the sewn half widths of its waist."""
-    inset = 0.0 if options.sleeves else 1.5
     bodice = FittedBodice(
-        neckline or _neckline(options), options.bust_ease, options.waist_ease, options.armhole_drop, -inset
+        neckline or _neckline(options),
+        options.bust_ease,
+        options.bust_ease if yoke else options.waist_ease,
+        options.armhole_drop,
+        0.0 if options.sleeves else -1.5,
+        yoke,
+        racer and not options.sleeves,
     )
     waist = lay_fitted_bodice(table, figure, bodice)
     _set_in_sleeves(table, figure, options)
