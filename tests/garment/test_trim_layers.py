@@ -19,6 +19,9 @@ from swifttailor.garment_sewer.sewer import GarmentSewer
 from swifttailor.pattern.drafts import draft
 from swifttailor.pattern.trims.layers import LAYERS
 
+NOT_AROUND = frozenset({"train", "long train", "back cape", "short skirt", "bustle"})
+"""Layers that do not hang around a skirt down to its hem."""
+
 
 @cache
 def gown(name: str = "strapless-dress") -> Garment:
@@ -42,7 +45,9 @@ def test_a_train_lies_on_the_floor_behind(trim, behind):
     assert train.vertices[:, 2].max() < 0.5 * skirt[:, 2].max()  # nothing of it in front
 
 
-@pytest.mark.parametrize("trim", sorted(LAYERS - {"train", "long train", "back cape"}))
+@pytest.mark.parametrize(
+    "trim", sorted(LAYERS - {"train", "long train", "back cape", "short skirt", "bustle"})
+)
 def test_layers_lie_outside_of_the_skirt(trim):
     garment = with_trims(gown(), trim)
     (layer,) = trim_meshes(garment)
@@ -50,12 +55,13 @@ def test_layers_lie_outside_of_the_skirt(trim):
     level = garment.vertices[np.abs(garment.vertices[:, 1] - low[:, 1].mean()) < 4.0]
     assert np.hypot(*low[:, [0, 2]].T).mean() > np.hypot(*level[:, [0, 2]].T).mean()
     in_front = (np.abs(low[:, 0]) < 4.0) & (low[:, 2] > 0.0)
-    assert in_front.any() == (trim in ("tulle layers", "peplum"))
+    assert in_front.any() == (trim in ("tulle layers", "peplum", "hoops"))
 
 
 @pytest.mark.parametrize("trim", sorted(LAYERS))
 def test_layers_are_sound_and_face_outward(trim):
-    garment = with_trims(gown("fitted-dress" if trim == "back cape" else "strapless-dress"), trim)
+    worn_on = {"back cape": "fitted-dress", "short skirt": "swimsuit"}.get(trim, "strapless-dress")
+    garment = with_trims(gown(worn_on), trim)
     (layer,) = trim_meshes(garment)
     a, b, c = (layer.vertices[layer.faces[:, k]] for k in range(3))
     across = np.cross(b - a, c - a)
@@ -65,6 +71,29 @@ def test_layers_are_sound_and_face_outward(trim):
     assert trim_surfaces(garment) == []  # it is drawn as cloth
     (seen,) = layer_surfaces(garment)
     assert (seen.opacity < 1.0) == ("tulle" in trim) == (trim_parts(garment)[0].opacity < 1.0)
+
+
+def test_a_short_skirt_covers_the_hips_and_no_more():
+    garment = with_trims(gown("swimsuit"), "short skirt")
+    (skirt,) = trim_meshes(garment)
+    legs = garment.vertices[:, 1].min()
+    assert skirt.vertices[:, 1].min() == pytest.approx(72.5, abs=2.0) and skirt.vertices[:, 1].max() < 110.0
+    hem = skirt.vertices[skirt.vertices[:, 1] < skirt.vertices[:, 1].min() + 1.0]
+    hips = garment.vertices[np.abs(garment.vertices[:, 1] - 86.0) < 3.0]
+    assert np.abs(hem[:, 0]).max() > np.abs(hips[:, 0]).max() + 6.0, "it stands off where the legs begin"
+    assert legs < 77.0
+
+
+def test_a_bustle_is_gathered_up_behind_alone():
+    garment = with_trims(gown("fitted-dress"), "bustle")
+    (bustle,) = trim_meshes(garment)
+    skirt = garment.vertices[garment.vertices[:, 1] < 100.0]
+    assert bustle.vertices[:, 2].min() < skirt[:, 2].min() - 6.0
+    assert bustle.vertices[:, 2].max() < 0.6 * skirt[:, 2].max()
+    behind = bustle.vertices[np.abs(bustle.vertices[:, 0]) < 2.0]
+    behind = behind[np.argsort(-behind[:, 1])]
+    turns = np.diff(np.sign(np.diff(behind[::2, 2])))
+    assert np.count_nonzero(turns) >= 4, "in puffs, one below the other"
 
 
 def test_a_bow_lies_on_the_layer():

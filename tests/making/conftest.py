@@ -123,6 +123,11 @@ TRIMMED = {
     "girl's dress": ("skater-dress", ("sash",)),
     "dirndl with a blouse": ("skater-dress", ("apron", "lacing", "blouse front")),
     "maternity top": ("t-shirt", ("bust gathers",)),
+    "dress with frilled shoulders": ("skater-dress", ("shoulder frills",)),
+    "illusion dress": ("fitted-dress", ("illusion yoke",)),
+    "bustle skirt": ("circle-skirt", ("bustle",)),
+    "crinoline": ("gathered-skirt", ("hoops",)),
+    "swim dress": ("swimsuit", ("short skirt",)),
 }
 """Name of a draft and what is put on it: between them all trims that there are."""
 

@@ -1,4 +1,4 @@
-"""Layers over a skirt that hang from its waist, and trains that lie on the floor behind it."""
+"""Layers over a skirt that hang from its waist, trains on the floor behind it, and skirts over swimsuits."""
 
 from __future__ import annotations
 
@@ -38,8 +38,19 @@ class _Cut:
     """How far it hangs, cm; 0: as far as the skirt."""
     from_shoulders: bool = False
     """Whether it hangs from there, and not from the waist."""
+    puffs: int = 0
+    """How many puffs it is gathered up into."""
+    puff: float = 0.0
+    """How far the uppermost of them stands out, cm."""
+    hoops: int = 0
+    """How many hoops hold it out."""
 
 
+SHORT_SKIRT = "short skirt"
+"""The name of the skirt over what has no legs."""
+_FROM_WAIST, _BELOW_CROTCH, _LONGEST_LEGS = 5.0, 4.0, 14.0
+"""A skirt over a swimsuit hangs from so far below the waist to so far below the crotch, and what reaches
+lower than that below it has legs, cm."""
 _CUTS: Mapping[str, _Cut] = {
     "train": _Cut(behind=52.0, reach=92.0),
     "long train": _Cut(behind=100.0, reach=92.0),
@@ -48,6 +59,9 @@ _CUTS: Mapping[str, _Cut] = {
     "tulle layers": _Cut(flare=13.0, opacity=0.7),
     "peplum": _Cut(flare=4.0, long=18.0),
     "back cape": _Cut(flare=6.0, reach=80.0, from_shoulders=True),
+    "bustle": _Cut(flare=6.0, reach=88.0, long=52.0, puffs=3, puff=11.0),
+    "hoops": _Cut(flare=20.0, hoops=4),
+    SHORT_SKIRT: _Cut(flare=11.0),
 }
 LAYERS = frozenset(_CUTS)
 """Names of `names.TRIMS` that hang over a skirt or lie behind it, of the same cloth."""
@@ -58,20 +72,24 @@ def layer(chalk: Chalk, name: str) -> list[Trim]:
 
     A peplum ends over the hips, and a cape hangs from the shoulders behind.
     """
+    if name == SHORT_SKIRT:
+        return _short_skirt(chalk)
     found = _skirt(chalk)
     if found is None:
         return []
     view, low = found
     cut, s = _CUTS[name], chalk.size
     height = chalk.waist - _BELOW_WAIST * s
-    if height - low < max(_SHORTEST, cut.long) * s or (cut.behind > 0.0 and low > _ON_FLOOR * s):
+    if height - low < max(_SHORTEST, 0.0 if cut.puffs else cut.long) * s or (
+        cut.behind > 0.0 and low > _ON_FLOOR * s
+    ):
         return []
     if cut.from_shoulders:
         back = chalk.views.get("left_btorso")
         if back is None or back.high < chalk.shoulder - _BELOW_SHOULDER * s:
             return []
         view, height = back, chalk.shoulder - _BELOW_SHOULDER * s
-    low = height - cut.long * s if cut.long else max(low, _CLEAR_OF_FLOOR)
+    low = max(height - cut.long * s if cut.long else low, low if cut.puffs else _CLEAR_OF_FLOOR)
     if height - low < _LEAST * s:  # a child in a pattern that is cut for an adult
         return []
     return [
@@ -84,8 +102,22 @@ def layer(chalk: Chalk, name: str) -> list[Trim]:
             reach=cut.reach,
             behind=cut.behind * s,
             opacity=cut.opacity,
+            puffs=cut.puffs,
+            puff=cut.puff * s,
+            hoops=cut.hoops,
         )
     ]
+
+
+def _short_skirt(chalk: Chalk) -> list[Trim]:
+    """All around, from below the waist of what has a bodice and is cut out over the legs."""
+    legs = [view for name, view in chalk.views.items() if name.startswith("pant_")]
+    s, cut = chalk.size, _CUTS[SHORT_SKIRT]
+    bodice = any("torso" in name for name in chalk.views)
+    if not legs or not bodice or min(view.low for view in legs) < chalk.crotch - _LONGEST_LEGS * s:
+        return []
+    height, low = chalk.waist - _FROM_WAIST * s, chalk.crotch - _BELOW_CROTCH * s
+    return [Layer(SHORT_SKIRT, legs[0].panel.name, height, low, flare=cut.flare * s)]
 
 
 def _skirt(chalk: Chalk) -> tuple[FrontView, float] | None:
