@@ -66,6 +66,7 @@ _WING_CM, _COAT_WING_CM = 18.0, 10.0
 _TANK, _OF_RACERS = "tank-top", {"strap_width": 3.5, "neck_widening": 1.5, "back_neck_depth": 8.0}
 """Straps of a back that is cut in are at most so wide, and its neck so deep, cm."""
 _RACER_DRESS = {"neck_widening": 1.5, "back_neck_depth": 8.0}
+_RACER_DRESSES = ("shift-dress", "skater-dress")
 _SLEEVED = ("shift-dress",)
 """Drafts that have sleeves only where an option says so."""
 
@@ -90,7 +91,7 @@ def armholes_as_asked(draft: NamedDraft, lacks: Sequence[Lack]) -> NamedDraft:
         if lack.what == RACERBACK and draft.name == _TANK:
             narrow = {name: min(float(options.get(name, most)), most) for name, most in _OF_RACERS.items()}
             return _with(draft, {**options, **narrow, RACER: True})
-        if lack.what == RACERBACK and draft.name in _SLEEVED and not options.get("sleeves"):
+        if lack.what == RACERBACK and draft.name in _RACER_DRESSES and not options.get("sleeves"):
             return replace(draft, options=tuple({**options, **_RACER_DRESS, RACER: True}.items()))
         if lack.what == RAGLAN and draft.name in _RAGLAN and not puffed:
             return _with(draft, {**options, ARMHOLE: "raglan"})

@@ -1,4 +1,4 @@
-"""Jumpsuits with the collar of a shirt, where a text asks for a collar and for no flatter one."""
+"""Jumpsuits and dresses with the collar of a shirt, where a text asks for a collar and for no flatter one."""
 
 from __future__ import annotations
 
@@ -19,13 +19,16 @@ _SHIRT = {"collar": "shirt", "neck_widening": 1.0, "neck_depth": 10.0}
 def with_shirt_collar(draft: NamedDraft, text: str, lacks: Collection[str]) -> NamedDraft:
     """A jumpsuit whose collar is that of a shirt; others, and those of flatter collars, as they are.
 
+    So is a dress of which such a collar is said in so many words: a polo collar.
+
     Args:
         draft: As it was asked for otherwise.
         text: All of it.
         lacks: Keys of ``cannot.txt`` that it asks for.
     """
     options = dict(draft.options)
-    if draft.name != "jumpsuit" or _FLAT not in draft.options or "neck_depth" in options:
+    named = draft.name == "shirt-dress" and "shirt_collar" in lacks
+    if not (named or draft.name == "jumpsuit") or _FLAT not in draft.options or "neck_depth" in options:
         return draft
     if "flat_collar" in lacks or _FLATTER.search(text):
         return draft
