@@ -19,6 +19,9 @@ from swifttailor.garment_sewer.sewer import GarmentSewer
 from swifttailor.pattern.drafts import draft
 from swifttailor.pattern.trims.layers import LAYERS
 
+NOT_AROUND = frozenset({"train", "long train", "back cape", "outer skirt", "bustle"})
+"""Layers that do not hang around a skirt down to its hem."""
+
 
 @cache
 def gown(name: str = "strapless-dress") -> Garment:
@@ -42,7 +45,9 @@ def test_a_train_lies_on_the_floor_behind(trim, behind):
     assert train.vertices[:, 2].max() < 0.5 * skirt[:, 2].max()  # nothing of it in front
 
 
-@pytest.mark.parametrize("trim", sorted(LAYERS - {"train", "long train", "back cape", "outer skirt"}))
+@pytest.mark.parametrize(
+    "trim", sorted(LAYERS - {"train", "long train", "back cape", "outer skirt", "bustle"})
+)
 def test_layers_lie_outside_of_the_skirt(trim):
     garment = with_trims(gown(), trim)
     (layer,) = trim_meshes(garment)
@@ -50,7 +55,7 @@ def test_layers_lie_outside_of_the_skirt(trim):
     level = garment.vertices[np.abs(garment.vertices[:, 1] - low[:, 1].mean()) < 4.0]
     assert np.hypot(*low[:, [0, 2]].T).mean() > np.hypot(*level[:, [0, 2]].T).mean()
     in_front = (np.abs(low[:, 0]) < 4.0) & (low[:, 2] > 0.0)
-    assert in_front.any() == (trim in ("tulle layers", "peplum"))
+    assert in_front.any() == (trim in ("tulle layers", "peplum", "hoops"))
 
 
 @pytest.mark.parametrize("trim", sorted(LAYERS))
@@ -66,6 +71,18 @@ def test_layers_are_sound_and_face_outward(trim):
     assert trim_surfaces(garment) == []  # it is drawn as cloth
     (seen,) = layer_surfaces(garment)
     assert (seen.opacity < 1.0) == ("tulle" in trim) == (trim_parts(garment)[0].opacity < 1.0)
+
+
+def test_a_bustle_is_gathered_up_behind_alone():
+    garment = with_trims(gown("fitted-dress"), "bustle")
+    (bustle,) = trim_meshes(garment)
+    skirt = garment.vertices[garment.vertices[:, 1] < 100.0]
+    assert bustle.vertices[:, 2].min() < skirt[:, 2].min() - 6.0
+    assert bustle.vertices[:, 2].max() < 0.6 * skirt[:, 2].max()
+    behind = bustle.vertices[np.abs(bustle.vertices[:, 0]) < 2.0]
+    behind = behind[np.argsort(-behind[:, 1])]
+    turns = np.diff(np.sign(np.diff(behind[::2, 2])))
+    assert np.count_nonzero(turns) >= 4, "in puffs, one below the other"
 
 
 def test_a_bow_lies_on_the_layer():

@@ -56,16 +56,8 @@ FLAT = (
 """What lies on the cloth along its edges; frills, fringe and bows stand off."""
 STAND_OFF = (
     *("neck frill", "sleeve frills", "hem frill", "hem fringe", "neck bow", "waist bow", "shoulder bows"),
-    *(
-        "train",
-        "long train",
-        "overskirt",
-        "tulle overskirt",
-        "tulle layers",
-        "peplum",
-        "back cape",
-        "outer skirt",
-    ),
+    *("train", "long train", "overskirt", "tulle overskirt", "tulle layers", "peplum", "back cape"),
+    *("bustle", "hoops", "outer skirt", "shoulder frills"),
     *("neck gathers", "cowl folds", "sash", "hip knot"),
     *("stirrups", "frayed hem", "back bow", "back ties", "front frills", "waist frill", "scalloped edge"),
 )

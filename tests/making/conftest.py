@@ -124,6 +124,10 @@ TRIMMED = {
     "dirndl with a blouse": ("skater-dress", ("apron", "lacing", "blouse front")),
     "maternity top": ("t-shirt", ("bust gathers",)),
     "skort": ("leggings", ("outer skirt",)),
+    "dress with frilled shoulders": ("skater-dress", ("shoulder frills",)),
+    "illusion dress": ("fitted-dress", ("illusion yoke",)),
+    "bustle skirt": ("circle-skirt", ("bustle",)),
+    "crinoline": ("gathered-skirt", ("hoops",)),
 }
 """Name of a draft and what is put on it: between them all trims that there are."""
 

@@ -54,6 +54,7 @@ NAMES = (
     "blouse gathered at the shoulders",
     "stitched jeans", "seamed denim jacket", "buckled dungarees", "kilt", "folded leggings", "running top",
     "girl's dress", "dirndl with a blouse", "maternity top", "skort",
+    "dress with frilled shoulders", "illusion dress", "bustle skirt", "crinoline",
 )  # fmt: skip
 
 

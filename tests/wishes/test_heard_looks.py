@@ -78,7 +78,7 @@ def test_a_sheer_skirt_of_a_chiffon_dress_is_of_chiffon(reader):
     [
         ("jumpsuit with orange shoulders", "another colour of the shoulders"),
         (
-            "dress with a sheer neckline",
+            "dress with mesh inserts",
             "sheer insets (whole parts can be sheer: sleeves, a skirt, the back)",
         ),
         ("jumper with leather sleeves", "another cloth of the sleeves (another shade is drawn)"),

@@ -34,6 +34,7 @@ def test_words_tell_what_no_claim_does(text, what):
         ("pull-on-trousers", "slits", "side_slits"), ("jeans", "slits", "side_slits"),
         ("trousers", "back_rise", "back_rise"), ("joggers", "back_rise", "back_rise"),
         ("dungarees", "crossed_straps", "crossed"), ("pinafore", "crossed_straps", "crossed"),
+        ("strappy-dress", "crossed_straps", "crossed"), ("camisole", "crossed_straps", "crossed"),
         ("blazer", "shoulder_pads", "shoulder_extension"), ("coat", "huge_shoulders", "shoulder_extension"),
         ("robe", "trailing_sleeves", "sleeve_shape"),
         ("skater-dress", "trailing_sleeves", "sleeve_shape"),

@@ -91,7 +91,7 @@ TRIMS_OF_PARTS: Mapping[str, tuple[str, ...]] = {
     ),
     "belt": ("tie belt", "buckle belt", "sash"),
     "drawstring": ("drawstring", "neck cord"),
-    "frills": ("neck frill", "sleeve frills", "hem frill", "front frills", "yoke frill"),
+    "frills": ("neck frill", "sleeve frills", "hem frill", "front frills", "yoke frill", "shoulder frills"),
     "fringe": ("hem fringe",),
     "edging": (
         *("edging", "piping", "bands", "narrow bands", "lace trim", "neck lace"),

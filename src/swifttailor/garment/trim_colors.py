@@ -59,6 +59,7 @@ _IN_ANOTHER: Mapping[str, tuple[str, str]] = {
     **dict.fromkeys(("topstitching", "denim seams"), ("#c98d47", "#b57a34")),
     "hem border": ("#d3a94c", "#b98a2e"),
     "blouse front": ("#f7f5ef", "#f7f5ef"),
+    "illusion yoke": ("#cdc5bb", "#d6cdc2"),
 }
 """What is of another colour than the cloth, where none is told: on darker cloth, and on light cloth."""
 _SOFT = (

@@ -39,6 +39,9 @@ _ARC, _SCALLOP, _LACE_ROWS = 2.6, 0.3, 9
 """Of lace: width of the arcs of its border, how deep they are as a part of it, and its rows of meshes."""
 _THREADS_APART, _THREAD = 0.8, 0.18
 """Of fringe: distance of its threads and half their width, cm."""
+_FROM_LEVEL, _LEAST_POINTS, _DROOPS = 0.3, 4, 0.45
+"""From which part of the height of an armhole on a frill lies over the shoulder, along so many points, and
+how much of its way is down."""
 _SHORT_THREADS, _FINE = 4.0, 0.6
 """Threads shorter than this, cm, are of the cloth itself: so much finer."""
 _LOOP_HEIGHT, _LOOP_DEPTH, _RIBBON = 0.17, 1.0, 2.4
@@ -71,6 +74,12 @@ def frill_meshes(garment: Garment, frill: Frill) -> list[TrimMesh]:
             vertices = _laid_on(garment, {ref.panel for ref in frill.edges}, vertices)
             found.append(TrimMesh(frill.trim, "cloth", vertices, faces, lines))
             continue
+        if frill.trim == "shoulder frills":
+            found += [
+                TrimMesh(frill.trim, "cloth", *_strip(line[own], ways, normals[own], frill.depth))
+                for own, ways in _over_shoulder(line, away, normals)
+            ]
+            continue
         around_neck = frill.trim == "neck frill"
         lean = _STANDS_OUT * normals if around_neck else np.array([0.0, -_HANGS, 0.0])
         ways = away + (lean if around_neck or "hem" in frill.trim else 0.0)
@@ -79,6 +88,20 @@ def frill_meshes(garment: Garment, frill: Frill) -> list[TrimMesh]:
         vertices, faces, lines = make(line, ways, normals, frill.depth)
         found.append(TrimMesh(frill.trim, "cloth", vertices, faces, lines))
     return found
+
+
+def _over_shoulder(line: Floats, away: Floats, normals: Floats) -> list[tuple[Ints, Floats]]:
+    """Which points of an armhole (n, 3) a frill over the shoulder runs along, and its ways (k, 3)."""
+    height = line[:, 1]
+    if np.allclose(line[0], line[-1]):  # begin a ring below
+        turned = (np.arange(len(line) - 1) + int(height[:-1].argmin())) % (len(line) - 1)
+    else:
+        turned = np.arange(len(line))
+    level = height.min() + _FROM_LEVEL * np.ptp(height)
+    own = turned[height[turned] > level]
+    ways = away[own] + _STANDS_OUT * normals[own] + (0.0, -_DROOPS, 0.0)
+    ways /= np.maximum(np.linalg.norm(ways, axis=1, keepdims=True), 1e-9)
+    return [(own.astype(np.int32), ways)] if len(own) > _LEAST_POINTS else []
 
 
 def bow_meshes(garment: Garment, bow: Bow, at: Array, normal: Array) -> list[TrimMesh]:

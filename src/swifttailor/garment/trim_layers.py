@@ -42,6 +42,9 @@ _BENDS, _SLOPE = 0.72, 0.2
 """Where on its way down a train leaves the skirt, and how far along the floor it still comes down."""
 
 
+_PUFFED, _TO_SIDES, _LESS_BELOW, _CREASED, _SAGS = 0.7, 1.3, 0.45, 0.35, 0.12
+"""How round puffs are, and how fast they flatten to the sides; by which part of it those at the hem are
+smaller, how deep their creases are, and how much lower they hang in the middle."""
 _WORN_OVER = ("waist bow", "back bow", "tie belt", "buckle belt")
 _OVER_CM, _NEAR_CM, _AROUND_CM = 0.6, 4.0, 25.0
 """How far what is worn over a layer stays off it, how near that is, and the radius of angles, cm."""
@@ -69,7 +72,10 @@ def layer_mesh(garment: Garment, layer: Layer) -> TrimMesh | None:
     hem = np.stack([grid[-1, :-1], grid[-1, 1:]], axis=1)
     is_open = layer.reach < 180.0 and layer.behind <= 0.0
     sides = [np.stack([grid[:-1, k], grid[1:, k]], axis=1) for k in (0, -1)] if is_open else []
-    lines = np.concatenate([hem, *sides]).astype(np.int32)
+    rings = [round(k * (down - 1) / layer.hoops) for k in range(1, layer.hoops)]
+    rings += [round(k * (down - 1) / layer.puffs) for k in range(1, layer.puffs)]
+    across_it = [np.stack([grid[k, :-1], grid[k, 1:]], axis=1) for k in rings]
+    lines = np.concatenate([hem, *sides, *across_it]).astype(np.int32)
     at = places.reshape(-1, 2)[faces]
     return TrimMesh(
         layer.trim,
@@ -129,9 +135,26 @@ def _over_skirt(garment: Garment, layer: Layer, behind: Floats) -> tuple[Floats,
     share = np.linspace(0.0, 1.0, _ROWS)[:, None]
     first, last = reach[0], np.maximum(reach[-1], reach[-1].mean())
     wide = first + (last + layer.flare - first) * share**_BELL
-    radius = np.maximum(wide, reach) + _OFF + _SWING * share * _waves(behind)
+    wide = reach + layer.flare * share * _at_sides(layer, behind) if layer.puffs else wide
+    folds = 0.0 if layer.hoops else _SWING * share * _waves(behind)
+    radius = np.maximum(wide, reach) + _OFF + folds + _puffs(layer, share, behind)
     vertices = _around(axis, behind, radius, np.broadcast_to(heights[:, None], radius.shape))
     return vertices, _laid_out(vertices, behind, float(radius[-1].mean()))
+
+
+def _puffs(layer: Layer, share: Floats, behind: Floats) -> Floats:
+    """(rows, n) how far out cloth stands that is gathered up in puffs, smaller ones below, cm."""
+    if not layer.puffs:
+        return np.zeros((len(share), len(behind)))
+    sagging = share + _SAGS * (np.cos(behind) - 1.0)  # caught up higher at the sides
+    rising = np.abs(np.sin(np.pi * layer.puffs * np.clip(sagging, 0.0, 1.0))) ** _PUFFED
+    uneven = 1.0 - _CREASED * _waves(behind)
+    return layer.puff * (1.0 - _LESS_BELOW * share) * rising * _at_sides(layer, behind) * uneven
+
+
+def _at_sides(layer: Layer, behind: Floats) -> Floats:
+    """(n,) from 1 in the middle of the back to 0 where what is gathered up ends beside it."""
+    return np.cos(np.pi / 2 * behind / np.radians(layer.reach)).clip(0.0) ** _TO_SIDES
 
 
 def _train(garment: Garment, layer: Layer, behind: Floats) -> tuple[Floats, Floats] | None:

@@ -1,4 +1,4 @@
-"""The sewing steps of what certain garments are told by: jeans, dungarees, kilts, dirndls."""
+"""The sewing steps of what certain garments are told by: jeans, dungarees, kilts, dirndls, swim dresses."""
 
 from __future__ import annotations
 
@@ -52,6 +52,26 @@ OF_KINDS: Mapping[str, tuple[str, str]] = {
         "Blouse",
         "Cut the marked pieces of white cloth, with allowances. Sew them to the neck, and their lower edges "
         "behind the upper edge of the bodice.",
+    ),
+    "shoulder frills": (
+        "Frills over the shoulders",
+        "Cut two strips of 8 cm, half as long again as the armholes from chest to shoulder blade. Hem one "
+        "edge, gather the other, taper the ends, and catch it in the seams of the armholes.",
+    ),
+    "illusion yoke": (
+        "Net above the bodice",
+        "Cut the panels apart along the marked edge. Cut what lies above it from fine net of the colour of "
+        "the skin, and sew it on under the edge of the bodice.",
+    ),
+    "bustle": (
+        "Bustle",
+        "Cut a back breadth twice as long as marked. Gather it up with three rows of tapes inside, so that "
+        "it puffs out between them, and catch it in the waist and both sides.",
+    ),
+    "hoops": (
+        "Hoops",
+        "Cut the skirt so wide that its hem is as marked. Sew tapes on inside at the marked heights, and "
+        "draw steel or cane through them.",
     ),
 }
 """Title and text of each step, by the name of the trim."""

@@ -169,7 +169,7 @@ def test_wound_skirts_overlap_as_far_as_asked(name, aside, edge, under):
     assert upper[1][0] == pytest.approx(edge, abs=0.3)
     reach = upper[1][0] - lower[1][0]
     assert reach == pytest.approx(under, abs=0.5) or lower[1][0] < -15.0  # where the front ends
-    assert 0.5 < lower[1][1] - upper[1][1] < 3.0, "what lies below is not seen"
+    assert 3.0 < lower[1][1] - upper[1][1] < 7.0, "the free corner, which sinks, is not seen"
     assert not has_holes(pattern)
     assert {slit.place for slit in measure_facts(pattern).skirt.slits} <= {"front", "left"}
 

@@ -164,6 +164,10 @@ SHOULD_HAVE = {
     "bust gathers": ("t-shirt", "shift-dress"),
     "hip knot": ("sarong", "wrap-skirt", "circle-skirt"),
     "outer skirt": ("leggings", "trousers", "swimsuit", "bodysuit", "briefs"),
+    "shoulder frills": ("skater-dress", "strappy-dress", "empire-dress", "shirt"),
+    "illusion yoke": ("skater-dress", "fitted-dress", "t-shirt", "shift-dress", "empire-dress"),
+    "bustle": ("circle-skirt", "skater-dress", "fitted-dress"),
+    "hoops": ("gathered-skirt", "circle-skirt", "strapless-dress"),
 }
 CHILDREN = (60.0, 92.0, 110.0, 128.0, 152.0)
 SOME = tuple(info for info in list_drafts() if info.name not in ("gored-skirt", "pleated-skirt"))
@@ -218,6 +222,8 @@ def test_has_its_place_on_the_drafts_that_should_have_it(name, drafts):
         ("folded band", "skater-dress"), ("thumb holes", "t-shirt"), ("sash", "camisole"),
         ("blouse front", "bustier"), ("bust gathers", "fitted-skirt"), ("hip knot", "t-shirt"),
         ("outer skirt", "circle-skirt"), ("outer skirt", "t-shirt"),
+        ("shoulder frills", "circle-skirt"), ("illusion yoke", "strapless-dress"), ("bustle", "jeans"),
+        ("hoops", "t-shirt"), 
     ],
 )  # fmt: skip
 def test_has_none_on_others(name, draft_name, drafts):

@@ -26,6 +26,10 @@ def corners(trim: Patch | Button | Bow) -> np.ndarray:
     return trim.outline if isinstance(trim, Patch) else np.array([trim.at])
 
 
+SEWN_IN = ("side stripes", "satin stripes", "sleeve stripes", "front frills", "shoulder frills")
+"""What lies beside seams."""
+
+
 def assert_on_panels(pattern: Pattern, trims: tuple[Trim, ...]) -> None:
     """Corners lie on the panel, and what is between them on cloth or in darts, which are sewn shut."""
     cloths: dict[str, tuple[shapely.Geometry, ...]] = {}
@@ -39,7 +43,7 @@ def assert_on_panels(pattern: Pattern, trims: tuple[Trim, ...]) -> None:
             continue
         if isinstance(trim, Frill | Stirrup):
             sewn = {side for stitch in pattern.stitches for side in stitch.sides}
-            free = trim.trim not in ("side stripes", "satin stripes", "sleeve stripes", "front frills")
+            free = trim.trim not in SEWN_IN
             assert trim.edges and (not free or not sewn & set(trim.edges)), "frills are sewn to free edges"
             assert len(set(trim.edges)) == len(trim.edges) and all(map(pattern.has_edge, trim.edges))
             assert 0 < (trim.depth if isinstance(trim, Frill) else trim.width) < 20, trim

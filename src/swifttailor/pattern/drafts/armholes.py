@@ -10,7 +10,8 @@ RACER_NECK = 0.34
 """How deep the neck above a back that is cut in may be, as a part of the height from underarm to shoulder."""
 _RACER_CM, _RACER_SHARE = 5.6, 0.42
 """Half of what is left between the shoulder blades, cm; how high that is, between underarm and shoulder."""
-
+RACER_STRAP_CM = 4.0
+"""Width of the straps of dresses whose back is cut in."""
 _LEANS = math.radians(15.0)
 """By how much its end is turned to the middle."""
 _STRAIGHT = 0.4

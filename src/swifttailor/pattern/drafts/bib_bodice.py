@@ -6,11 +6,12 @@ from dataclasses import dataclass, replace
 
 from swifttailor.pattern.drafts.band import lay_body_waist_band
 from swifttailor.pattern.drafts.bodice import BACK_Z, FRONT_Z
+from swifttailor.pattern.drafts.crossed_straps import STRAP_PLACE
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure, Halves
 from swifttailor.pattern.drafts.fitted_bodice import BLADE_FULLNESS
 from swifttailor.pattern.drafts.outline import Outline
-from swifttailor.pattern.drafts.strap_bodice import STRAP_LIFT, STRAP_PLACE
+from swifttailor.pattern.drafts.strap_bodice import STRAP_LIFT
 
 _STRAPS_BEHIND_X = 5.0
 """Distance of the middle of each strap from the middle of the waistband behind, cm."""

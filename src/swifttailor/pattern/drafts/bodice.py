@@ -39,7 +39,7 @@ _STRAP = 3.5
 """How much cloth is left beside a back that is bare, at the shoulder blades, cm."""
 _CROPPED_CM = 6.0
 """What ends less far below the waist hangs from the bust, and has all of that there."""
-BLADE_FULLNESS, _RACER_FULLNESS = 0.01, -0.02
+BLADE_FULLNESS, RACER_FULLNESS = 0.01, -0.02
 """Extra length of the back over the shoulder blades, over the waist line; with more, the nape stands off."""
 SHORT_CM = 12.0
 """Shaped tops that end less far below the waist have no room to widen again."""
@@ -95,6 +95,8 @@ class LooseBodice:
     """How far below the waist a front that opens is sewn together, cm; instead of `front_slit`."""
     side_slits: float = 0.0
     """Length of the lower end of straight side seams that is left open, cm."""
+    back_slit: float = 0.0
+    """Length of the lower end of the centre back that is left open, cm."""
     side_rise: float = 0.0
     """How far the hem rises to the side seams in curves, as a shirt's, cm; with no points in front."""
     back_dip: float = 0.0
@@ -221,8 +223,8 @@ def lay_loose_bodice(table: CuttingTable, figure: Figure, shape: LooseBodice) ->
             front=front,
             balance=FRONT_BALANCE,
             scoop=scoop,
-            slit=slit if front else 0.0,
-            blade=_RACER_FULLNESS if shape.racer else BLADE_FULLNESS,
+            slit=slit if front else shape.back_slit,
+            blade=RACER_FULLNESS if shape.racer else BLADE_FULLNESS,
             racer=shape.racer and not front,
             hollow=None if front else hollow,
         )

@@ -32,7 +32,9 @@ class DartedBlock:
     """Height of the underarm, cm."""
 
     @staticmethod
-    def of(figure: Figure, *, bust_ease: float, waist_ease: float, drop: float) -> DartedBlock:
+    def of(
+        figure: Figure, *, bust_ease: float, waist_ease: float, drop: float, least: float = SIDE_MINIMUM
+    ) -> DartedBlock:
         """The block for a body.
 
         Args:
@@ -40,17 +42,18 @@ class DartedBlock:
             bust_ease: On top of the bust girth, cm around.
             waist_ease: On top of the waist girth, cm around.
             drop: Underarm below the armpit, cm.
+            least: Shortest side seam, cm.
         """
         waist = figure.waist.eased(waist_ease)
         taken = suppress(figure.bust.eased(bust_ease), waist, 0.45, 3.0)
-        under_y = max(figure.armpit_y - drop, figure.waist_y + SIDE_MINIMUM)
+        under_y = max(figure.armpit_y - drop, figure.waist_y + least)
         return DartedBlock(figure, waist, taken.wide(waist), taken, dart_places(figure, waist), under_y)
 
-    def begin_half(self, *, front: bool, bare: bool = False) -> Outline:
+    def begin_half(self, *, front: bool, bare: bool = False, darted: bool = True) -> Outline:
         """Draws the waist, from the middle outward, and the side seam up to the underarm.
 
         Of a back that is bare the dart is laid together, as it would end in the neckline: what is beside it
-        leans inward from the waist on.
+        leans inward from the waist on. Without darts what is too wide is eased in.
         """
         half, narrow, width, place = (
             (self.chest.front, self.waist.front, self.taken.front, self.places.front)
@@ -60,7 +63,7 @@ class DartedBlock:
         waist_y = self.figure.waist_y
         room = self.under_y - waist_y
         reach = min(self.figure.bust_y - 3.0 - waist_y if front else room - 2.0, room - 1.5)
-        darts = [Dart(place, width, max(reach, 5.0))] if width else []
+        darts = [Dart(place, width, max(reach, 5.0))] if width and darted else []
         under_y = self.under_y
         if bare:
             # Its side is as long as it was, as that of the front is.
@@ -68,8 +71,8 @@ class DartedBlock:
             half, width, darts = half - _LEANS * width, 0.0, []
             under_y = waist_y + math.sqrt(max(rise - (half - narrow) ** 2, 1.0))
         outline = Outline(0.0, waist_y)
-        outline.darted_line("waist", (narrow + width, waist_y), darts)
-        if front:
+        outline.darted_line("waist", (narrow + (width if darted else 0.0), waist_y), darts)
+        if front and darted:
             draw_side_with_bust_dart(outline, self.figure, (half, self.under_y))
         else:
             outline.line("side", half, under_y)

@@ -195,6 +195,9 @@ LapelDepth = Annotated[
 LapelCollarWidth = Annotated[float, Option("Width of the collar on the shoulder.", "cm", 3.0, 8.0)]
 LapelWidth = Annotated[float, Option("Width of the lapels where they are widest.", "cm", 4.0, 12.0)]
 SideSlits = Annotated[float, Option("Length of the side seams left open above the hem.", "cm", 0.0, 85.0)]
+BackSlit = Annotated[
+    float, Option("Length of the seam in the middle of the back left open above the hem.", "cm", 0.0, 50.0)
+]
 LegSlits = Annotated[
     float, Option("Length of the side seams of the legs left open above the hem.", "cm", 0.0, 30.0)
 ]

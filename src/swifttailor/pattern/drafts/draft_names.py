@@ -89,7 +89,9 @@ class NamedDraft:
         """Claims, by name and value, that are true of it to the eye, though not as they are measured."""
         stands = self.stands or self.name == "turtleneck"
         cut = dict(self.options).get(SIDE_SLITS)
+        behind = dict(self.options).get(BACK_SLIT)
         slits = (*_OF_SLITS, ("slit_cm", float(cut))) if cut else _OF_NO_SLITS.get(self.name, ())
+        slits = (("slit", "back"), ("slit_cm", float(behind))) if behind and not cut else slits
         flare = dict(self.options).get("flare", 0.0)
         straight = _OF_FLARE if float(flare) >= A_LINE_CM else _OF_NO_FLARE
         falls = straight if self.name == "shift-dress" else ()
@@ -178,6 +180,8 @@ HEM_DIP, SCALLOPS, HEM_POINTS = "hem_dip", "scallop_width", "hem_points"
 """The options of hems that are lower behind than in front, that are cut in arcs, and that hang in points."""
 SIDE_SLITS = "side_slits"
 """The option of slits in garments that have no skirt of their own to be measured."""
+BACK_SLIT = "back_slit"
+"""The same of the seam in the middle of the back."""
 ARMHOLE, DROPPED_BY = "armhole", "shoulder_extension"
 """The options of how sleeves are joined, and of how far the shoulder seam reaches over the shoulder tip."""
 RAGLAN, CUT_IN_ONE, DROPPED = "raglan", "cut_in_one", "dropped_shoulder"

@@ -16,8 +16,9 @@ from swifttailor.pattern.names import UNDER_FRONT
 
 _BESIDE = 4.0
 """Least of the upper edge and the hem that is left on either side of an overlap, cm."""
-_SHORTER_CM, _BEHIND_CM = 1.5, 6.0
-"""So much higher the hem of the lower one ends, not to be seen; so far behind it stands before draping."""
+_SHORTER_CM, _COVERED_CM, _BEHIND_CM = 4.4, 4.0, 6.0
+"""So much higher the hem of the lower one ends, whose free corner sinks and would be seen; from so far under
+the edge of the upper one it rises; and so far behind it stands before draping."""
 SOFT_CM, FLARED = 6.0, 4.0
 """The curve from waist to hip ends so far below the hips, where it ends on them cloth puckers to a point; and
 the flare, degrees, from which it need not."""
@@ -29,6 +30,8 @@ SKIRT_BACK_Z = -22.0
 """Where back skirt panels stand before draping, cm."""
 
 
+_LEAST_HIDDEN_CM = 6.0
+"""What of the lower one's hem is covered is cut apart from the rest where it is longer than this."""
 _STEEPEST, _BESIDE_DART = 0.9, 0.4
 """How far aside an edge may run over how far it runs down, and how far from the tips of darts, cm."""
 
@@ -190,11 +193,15 @@ def overlapping(front: Outline, shape: Overlap) -> tuple[Outline, Outline]:
     raised = (lower_hem.start[0], lower_hem.start[1] + _SHORTER_CM)
     lower.sides = [*front.sides[:at], outer]
     below = Outline(*outer.end).line("edge", *raised)
+    covered, wide = edge - _COVERED_CM - under, lower_hem.end[0] - under
+    hidden, seen = lower_hem, []
+    if covered > _LEAST_HIDDEN_CM:
+        hidden, *seen = lower_hem.split([covered / wide])
     if isinstance(lower_hem.curve, Arc):  # a straight one would cut off much of a skirt cut from a circle
-        below.arc("hem", lower_hem.end, lower_hem.curve.radius, right=True)
+        below.arc("hem", hidden.end, lower_hem.curve.radius, right=True)
     else:
-        below.line("hem", *lower_hem.end)
-    lower.sides += below.sides
+        below.line("hem", *hidden.end)
+    lower.sides += [*below.sides, *seen]
     return upper.closed(), lower.closed()
 
 

@@ -4,7 +4,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from swifttailor.pattern.drafts.bodice import BACK_Z, FRONT_Z, sew_torso
+from swifttailor.pattern.drafts.bodice import BACK_Z, FRONT_Z
+from swifttailor.pattern.drafts.crossed_straps import (
+    draw_top_below_strap,
+    lay_crossed_strap,
+    sew_torso_on_straps,
+)
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.darted_block import DartedBlock
 from swifttailor.pattern.drafts.figure import Figure, Halves
@@ -26,6 +31,8 @@ class FittedStrapBodice:
     """On top of the waist girth, cm around."""
     dip: float
     """How far the front falls between the straps, cm."""
+    crossed: bool = False
+    """Whether the straps cross behind."""
 
 
 def lay_fitted_strap_bodice(table: CuttingTable, figure: Figure, shape: FittedStrapBodice) -> Halves:
@@ -44,11 +51,15 @@ def lay_fitted_strap_bodice(table: CuttingTable, figure: Figure, shape: FittedSt
         base_y = max(figure.bust_y + OVER_BUST if front else block.under_y + OVER_UNDERARM, y + 0.5)
         low = max(base_y - (shape.dip if front else 0.0), figure.waist_y + LOWEST)
         lift = STRAP_LIFT * figure.front_fullness if front else 0.0
-        draw_top_on_strap(outline, figure, shape.strap, base_y=base_y, low=low, lift=lift)
+        if shape.crossed and not front:
+            draw_top_below_strap(outline, figure, shape.strap, base_y)
+            lay_crossed_strap(table, figure, shape.strap, base_y)
+        else:
+            draw_top_on_strap(outline, figure, shape.strap, base_y=base_y, low=low, lift=lift)
         if front and low > figure.bust_y + 1.0:
             outline.line("centre", 0.0, figure.bust_y)
         outline.line("centre", 0.0, figure.waist_y).closed()
         z = FRONT_Z if front else BACK_Z
         table.lay(f"left_{side}torso", outline, label="body", at=(0.0, 0.0, z), back=not front)
-    sew_torso(table)
+    sew_torso_on_straps(table, crossed=shape.crossed)
     return block.waist

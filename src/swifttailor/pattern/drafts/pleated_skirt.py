@@ -100,13 +100,13 @@ def sew_pleats_to_band(table: CuttingTable, strips: int, *, apron: bool = False)
         table.seam(f"wb_{face}.bottom", edges if face == "front" else edges[::-1])
 
 
-def sew_pleats_to_bodice(table: CuttingTable, strips: int) -> None:
-    """Sews what is seen of the strips to the waist of both halves of a bodice."""
+def sew_pleats_to_bodice(table: CuttingTable, strips: int, edge: str = "waist") -> None:
+    """Sews what is seen of the strips to the waist of both halves of a bodice, or to another lower edge."""
     for face, halves in (("front", ("left", "right")), ("back", ("right", "left"))):
         edges = [f"skirt_pleat_{k}_{face}.top" for k in range(strips)]
-        for edge in edges:
-            table.label(edge, "lower_interface")
-        waists = [f"{half}_{face[0]}torso.waist" for half in halves]
+        for top in edges:
+            table.label(top, "lower_interface")
+        waists = [f"{half}_{face[0]}torso.{edge}" for half in halves]
         table.seam(edges[::-1] if face == "front" else edges, waists)
 
 

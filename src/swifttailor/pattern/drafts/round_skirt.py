@@ -22,6 +22,8 @@ _BELOW_WAIST_CM = 3.0
 """Between bodice and skirt before draping."""
 _PLEAT_CM, _HIP_EASE_CM = 4.0, 3.0
 """Cloth that is folded under each strip of a pleated skirt, and its room at the hips."""
+_LEAST_TO_HIPS_CM = 6.0
+"""From a seam below the waist to the hips, at least, for how it widens, cm."""
 _FLARE, _MOST_FLARE_CM = 1.1, 72.0
 """Width of the hem of a pleated skirt over its waist: times the length, and at most, cm around."""
 
@@ -57,6 +59,18 @@ def lay_round_skirt(table: CuttingTable, figure: Figure, skirt: RoundSkirt, wais
     else:
         lay_flared_skirt(table, waist, skirt.length, top_y, skirt.fraction, skirt.hem)
     sew_skirt_to_bodice(table, SKIRT_WHOLE, gathered=gathered)
+
+
+def lay_pleats_from_hips(
+    table: CuttingTable, figure: Figure, seam: Halves, strips: int, length: float, top_y: float
+) -> None:
+    """Lays the pleated skirt of a dress with a low seam; arguments as of `lay_dress_pleats`."""
+    flare = min(_FLARE * length, _MOST_FLARE_CM)
+    hips = figure.hips.eased(_HIP_EASE_CM)
+    to_hips = max(top_y + _BELOW_WAIST_CM - figure.hip_y, _LEAST_TO_HIPS_CM)
+    lay_pleated_skirt(
+        table, seam, KnifePleats(length, strips, _PLEAT_CM, flare), top_y, hips=hips, to_hips=to_hips
+    )
 
 
 def lay_dress_pleats(

@@ -11,7 +11,13 @@ from swifttailor.pattern.drafts.bodice import (
     SHORT_CM,
     SIDE_MINIMUM,
     ribs_at,
-    sew_torso,
+)
+from swifttailor.pattern.drafts.crossed_straps import (
+    TAKEN_IN,
+    draw_top_below_strap,
+    lay_crossed_strap,
+    sew_torso_on_straps,
+    strap_at,
 )
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure, Halves
@@ -23,10 +29,6 @@ OVER_BUST = 8.5
 """Height of the front's upper corners over the fullest part of the bust, cm."""
 OVER_UNDERARM = 1.0
 """Height of the back's upper corners over the underarm, cm."""
-TAKEN_IN = 1.5
-"""So far the middle of the upper edge is taken in, on either side, cm: it would stand off the chest."""
-STRAP_PLACE = 0.36
-"""Where the straps lie, as a part of the way from neck to shoulder tip: further out they slide off."""
 STRAP_LIFT = 0.4
 """Part of the front's extra length over the bust that the straps have."""
 _HIP_CM, _SHAPED_HIP_CM = 6.0, 2.0
@@ -61,6 +63,8 @@ class StrapBodice:
     """How far each side seam bends inward between underarm and hem, cm."""
     stretches: bool = False
     """Whether it is of cloth that stretches: what ends at the ribs is as narrow as these."""
+    crossed: bool = False
+    """Whether the straps cross behind."""
 
 
 def lay_strap_bodice(table: CuttingTable, figure: Figure, shape: StrapBodice) -> None:
@@ -105,7 +109,11 @@ def lay_strap_bodice(table: CuttingTable, figure: Figure, shape: StrapBodice) ->
             outline.quadratic("hem", (corner[0] * 0.6, hem_y - drop), corner)
         draw_side(outline, (half, under_y), shaping, 0.0)
         low = max(base_y - (shape.dip if front else 0.0), hem_y - drop + SIDE_MINIMUM)
-        draw_top_on_strap(outline, figure, shape.strap, base_y=base_y, low=low, lift=lift)
+        if shape.crossed and not front:
+            draw_top_below_strap(outline, figure, shape.strap, base_y)
+            lay_crossed_strap(table, figure, shape.strap, base_y)
+        else:
+            draw_top_on_strap(outline, figure, shape.strap, base_y=base_y, low=low, lift=lift)
         outline.line("centre", *outline.sides[0].start).closed()
         table.lay(
             f"left_{side}torso",
@@ -114,7 +122,7 @@ def lay_strap_bodice(table: CuttingTable, figure: Figure, shape: StrapBodice) ->
             at=(0.0, 0.0, FRONT_Z if front else BACK_Z),
             back=not front,
         )
-    sew_torso(table)
+    sew_torso_on_straps(table, crossed=shape.crossed)
 
 
 def _drawn_in(
@@ -154,9 +162,7 @@ def draw_top_on_strap(
         low: World height of the upper edge in the middle, cm.
         lift: By how much the strap is longer than the shoulder is high, cm.
     """
-    middle_x = figure.neck_x + STRAP_PLACE * (figure.shoulder_x - figure.neck_x)
-    middle_x = min(middle_x, figure.shoulder_x - strap)
-    inner, outer = middle_x - strap / 2, middle_x + strap / 2
+    inner, outer = strap_at(figure, strap)
     x, y = outline.sides[-1].end
     outline.quadratic("armhole", (outer + 0.35 * (x - outer), y + 0.1), (outer, base_y))
     outline.line("armhole", outer, figure.shoulder_line(outer) + lift)

@@ -10,7 +10,14 @@ import numpy as np
 from swifttailor.pattern.pattern import EdgeRef
 from swifttailor.pattern.trims.blouse_front import BLOUSE, BLOUSE_DEPTH
 from swifttailor.pattern.trims.chalk import Chalk
-from swifttailor.pattern.trims.free_edges import armhole_edges, hem_edges, leg_ends, neck_edges, sleeve_ends
+from swifttailor.pattern.trims.free_edges import (
+    armhole_edges,
+    armhole_seams,
+    hem_edges,
+    leg_ends,
+    neck_edges,
+    sleeve_ends,
+)
 from swifttailor.pattern.trims.front_view import front_edge
 from swifttailor.pattern.trims.shapes import Bow, Frill, StripKind, Trim
 
@@ -18,6 +25,8 @@ _NECK_FRILL, _SLEEVE_FRILL, _HEM_FRILL, _FRINGE = 4.0, 5.0, 8.0, 12.0
 """How far each goes beyond its edge, cm."""
 _FRONT_FRILL, _FRILLED_LEAST = 4.5, 15.0
 """Depth of frills down the front, and the shortest seam that has them, cm."""
+_SHOULDER_FRILL = 6.0
+"""The same of a frill over the shoulder, cm."""
 _SCALLOPS = 3.2
 """How far scallops hang below the hem, cm."""
 _TURNED_BACK = 4.0
@@ -78,6 +87,12 @@ def neck_frill(chalk: Chalk, name: str) -> list[Trim]:
 def sleeve_frills(chalk: Chalk, name: str) -> list[Trim]:
     """A gathered strip at the end of each sleeve."""
     return _along(chalk, name, sleeve_ends(chalk.pattern), _SLEEVE_FRILL)
+
+
+def shoulder_frills(chalk: Chalk, name: str) -> list[Trim]:
+    """A gathered strip over each shoulder, along the armhole, with sleeves or without."""
+    free = armhole_edges(chalk.pattern)
+    return _along(chalk, name, free or armhole_seams(chalk.pattern), _SHOULDER_FRILL)
 
 
 def sleeve_turn_ups(chalk: Chalk, name: str) -> list[Trim]:

@@ -62,6 +62,16 @@ def armhole_edges(pattern: Pattern) -> tuple[EdgeRef, ...]:
     return tuple(found)
 
 
+def armhole_seams(pattern: Pattern) -> tuple[EdgeRef, ...]:
+    """Edges of fronts and backs that sleeves are set into; none where they are cut otherwise."""
+    found = []
+    for stitch in pattern.stitches:
+        body = [side for side in stitch.sides if "torso" in side.panel]
+        if len(body) == 1 and any("sleeve" in side.panel for side in stitch.sides):
+            found += body
+    return tuple(found)
+
+
 def _meets(panel: str, points: Floats, end: tuple[str, Floats]) -> bool:
     """Whether an edge of a panel begins or ends where another one does."""
     apart = [float(np.abs(points[k] - end[1]).max()) for k in (0, -1)]

@@ -1,4 +1,4 @@
-"""Layers over a skirt that hang from its waist, and trains that lie on the floor behind it."""
+"""Layers over a skirt that hang from its waist, trains on the floor behind it, and skirts over swimsuits."""
 
 from __future__ import annotations
 
@@ -42,6 +42,12 @@ class _Cut:
     """How far it hangs, cm; 0: as far as the skirt."""
     from_shoulders: bool = False
     """Whether it hangs from there, and not from the waist."""
+    puffs: int = 0
+    """How many puffs it is gathered up into."""
+    puff: float = 0.0
+    """How far the uppermost of them stands out, cm."""
+    hoops: int = 0
+    """How many hoops hold it out."""
 
 
 _CUTS: Mapping[str, _Cut] = {
@@ -53,6 +59,8 @@ _CUTS: Mapping[str, _Cut] = {
     "peplum": _Cut(flare=4.0, long=18.0),
     _OVER_LEGS: _Cut(flare=9.0, long=28.0),
     "back cape": _Cut(flare=6.0, reach=80.0, from_shoulders=True),
+    "bustle": _Cut(flare=6.0, reach=88.0, long=52.0, puffs=3, puff=11.0),
+    "hoops": _Cut(flare=20.0, hoops=4),
 }
 LAYERS = frozenset(_CUTS)
 """Names of `names.TRIMS` that hang over a skirt or lie behind it, of the same cloth."""
@@ -75,14 +83,16 @@ def layer(chalk: Chalk, name: str) -> list[Trim]:
         long = height - low > _CALVES * s
         low = height - (cut.long if bare else _ABOVE_CALVES) * s if bare or long else low + _SHOWN * s
         return [Layer(name, view.panel.name, height, low, flare=cut.flare * s, reach=cut.reach)]
-    if height - low < max(_SHORTEST, cut.long) * s or (cut.behind > 0.0 and low > _ON_FLOOR * s):
+    if height - low < max(_SHORTEST, 0.0 if cut.puffs else cut.long) * s or (
+        cut.behind > 0.0 and low > _ON_FLOOR * s
+    ):
         return []
     if cut.from_shoulders:
         back = chalk.views.get("left_btorso")
         if back is None or back.high < chalk.shoulder - _BELOW_SHOULDER * s:
             return []
         view, height = back, chalk.shoulder - _BELOW_SHOULDER * s
-    low = height - cut.long * s if cut.long else max(low, _CLEAR_OF_FLOOR)
+    low = max(height - cut.long * s if cut.long else low, low if cut.puffs else _CLEAR_OF_FLOOR)
     if height - low < _LEAST * s:  # a child in a pattern that is cut for an adult
         return []
     return [
@@ -95,6 +105,9 @@ def layer(chalk: Chalk, name: str) -> list[Trim]:
             reach=cut.reach,
             behind=cut.behind * s,
             opacity=cut.opacity,
+            puffs=cut.puffs,
+            puff=cut.puff * s,
+            hoops=cut.hoops,
         )
     ]
 

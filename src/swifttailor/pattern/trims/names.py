@@ -140,6 +140,10 @@ TRIMS: Mapping[str, str] = {
     "bust gathers": "gathers below the bust",
     "hip knot": "a knot at the left hip",
     "outer skirt": "a short skirt over the legs",
+    "shoulder frills": "frills over the shoulders",
+    "illusion yoke": "net above the bodice",
+    "bustle": "a skirt gathered up behind",
+    "hoops": "a skirt held out by hoops",
 }
 """By name, what each is for people. None joins panels, so none changes how a garment is cut or hangs."""
 LIKE_EACH_OTHER = (
@@ -181,7 +185,7 @@ LIKE_EACH_OTHER = (
         "fine pleats",
     ),
     ("back pleat", "fine pleats"),
-    ("yoke", "yoke frill", "smocking", "denim seams", "blouse front"),
+    ("yoke", "yoke frill", "smocking", "denim seams", "blouse front", "illusion yoke"),
     ("waist frill", "folded band"),
     ("sleeve frills", "sleeve turn-ups", "thumb holes"),
     ("creases", "pleat lines"),
@@ -194,7 +198,14 @@ LIKE_EACH_OTHER = (
     ("rips", "knee rips", "left knee rip", "right knee rip", "knee patches"),
     ("chest heart", "chest star"),
     ("train", "long train"),
-    ("overskirt", "tulle overskirt", "tulle layers", "peplum", "outer skirt"),
+    ("overskirt", "tulle overskirt", "tulle layers", "peplum", "outer skirt", "hoops"),
+    ("bustle", "train", "long train"),
+    ("bustle", "overskirt", "tulle overskirt", "tulle layers", "hoops"),
+    ("illusion yoke", "neck bow"),
+    ("illusion yoke", "lacing"),
+    ("illusion yoke", "keyhole"),
+    ("shoulder frills", "shoulder bows"),
+    ("shoulder frills", "shoulder cut-outs"),
 )
 """Groups of which a garment has one at most."""
 MOST_BUTTONS = 20

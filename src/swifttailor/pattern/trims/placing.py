@@ -35,6 +35,7 @@ from swifttailor.pattern.trims.diagonal_closing import diagonal_closing
 from swifttailor.pattern.trims.elbow_patches import elbow_patches
 from swifttailor.pattern.trims.epaulettes import epaulettes
 from swifttailor.pattern.trims.fur_edges import fur_trim, neck_fur, sleeve_fur
+from swifttailor.pattern.trims.illusion import illusion_yoke
 from swifttailor.pattern.trims.keyholes import keyhole
 from swifttailor.pattern.trims.kilt_edge import kilt_edge
 from swifttailor.pattern.trims.knee_patches import knee_patches
@@ -193,6 +194,10 @@ _PLACES: Mapping[str, Callable[[Chalk, str], list[Trim]]] = {
     "bust gathers": bust_gathers,
     "hip knot": belts.hip_knot,
     "outer skirt": layer,
+    "shoulder frills": decorations.shoulder_frills,
+    "illusion yoke": illusion_yoke,
+    "bustle": layer,
+    "hoops": layer,
 }
 """How each of `names.TRIMS` is marked."""
 

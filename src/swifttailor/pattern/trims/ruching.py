@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 
+from swifttailor.arrays import Floats
 from swifttailor.pattern.trims.chalk import Chalk, Point
 from swifttailor.pattern.trims.front_view import FrontView, over_darts
-from swifttailor.pattern.trims.shapes import Trim
+from swifttailor.pattern.trims.shapes import Patch, Trim
 
 _TORSO = (("left", 1.0), ("right", -1.0))
 _APART, _BESIDE, _ABOVE = 2.6, 0.7, 2.2
@@ -30,6 +33,13 @@ _FAN_BELOW: tuple[tuple[float, float], ...] = (
     (-4.0, -16.0), (-10.0, -15.0), (-17.0, -12.0), (-24.0, -7.0), (-31.0, 0.0),
 )  # fmt: skip
 """The same of a skirt."""
+_FROM_KNOT, _ENDS, _PLACES, _SHORTEST_RUN = 0.05, (0.96, 1.0, 0.9), 40, 6
+"""Where draped folds begin and end, as parts of their way; at how many places each is looked at, and at how
+many it lies on a panel at least."""
+_NEAR_HEM, _BELOW_WAIST, _FLARES = 0.2, 0.8, 1.3
+"""Where the width of a skirt is measured, as parts of its height; wide ones are so many times wider below."""
+_SWELL = 1.1
+"""How far draped folds stand off, cm."""
 
 
 def ruching(chalk: Chalk, name: str) -> list[Trim]:
@@ -52,9 +62,15 @@ def draped_folds(chalk: Chalk, name: str) -> list[Trim]:
     pieces: list[Trim] = []
     for panels, ends in ((("left_ftorso", "right_ftorso"), _FAN), (("skirt_front",), _FAN_BELOW)):
         views = [chalk.views[panel] for panel in panels if panel in chalk.views]
-        if len(views) == len(panels):
+        if len(views) == len(panels) and not (panels == ("skirt_front",) and pieces and _is_wide(views[0])):
             pieces += _fan(chalk, name, views, ends)
     return pieces if len(pieces) >= _FEWEST else []
+
+
+def _is_wide(skirt: FrontView) -> bool:
+    """Whether a skirt flares so much that it falls in folds of its own."""
+    hem, above = (skirt.span(skirt.low + t * (skirt.high - skirt.low)) for t in (_NEAR_HEM, _BELOW_WAIST))
+    return hem is not None and above is not None and hem[1] - hem[0] > _FLARES * (above[1] - above[0])
 
 
 def _both_sides(chalk: Chalk, name: str, shaped: Sequence[tuple[FrontView, float]]) -> list[Trim]:
@@ -103,7 +119,7 @@ def _fold(chalk: Chalk, name: str, view: FrontView, sign: float, y: float, share
 def _fan(
     chalk: Chalk, name: str, views: Sequence[FrontView], ends: Sequence[tuple[float, float]]
 ) -> list[Trim]:
-    """Lines from the waist on the left, each cut off where a panel ends."""
+    """Folds from the waist on the left, each between two lines and cut off where a panel ends."""
     s = chalk.size
     side = max(views, key=lambda view: float(view.outline[:, 0].max()))
     start_y = chalk.waist + (1.5 if ends[0][0] > 0 else -2.5) * s
@@ -111,13 +127,34 @@ def _fan(
     if span is None:
         return []
     start = np.array([span[1] - 1.2 * s, start_y])
-    pieces: list[Trim] = []
+    lines = []
     for k, (above, x) in enumerate(ends):
         end = np.array([x * s, chalk.waist + above * s])
-        off = start + (end - start) * np.linspace(0.03 + 0.02 * (k % 2), 1.0, 60)[:, None]
-        bend = np.linspace(0.0, 1.0, 60)
+        share = np.linspace(_FROM_KNOT, _ENDS[k % len(_ENDS)], _PLACES)
+        off = start + (end - start) * share[:, None]
+        bend = np.linspace(0.0, 1.0, _PLACES)
         off[:, 1] -= 0.09 * float(np.linalg.norm(end - start)) * 4 * bend * (1 - bend)
-        for view in views:
-            run = over_darts(view, [(float(a), float(b)) for a, b in off])
-            pieces += chalk.line(name, view.panel.name, run[1:-1], _FOLD * s) if len(run) > 6 else []
+        lines.append(off)
+    return [
+        piece
+        for first, second in pairwise(lines)
+        for view in views
+        for piece in _draped(chalk, name, view, first, second)
+    ]
+
+
+def _draped(chalk: Chalk, name: str, view: FrontView, first: Floats, second: Floats) -> list[Trim]:
+    """What of a fold between two lines (n, 2) lies on one panel; it runs on over darts, which are shut."""
+    both = zip(first, second, strict=True)
+    held = np.flatnonzero([view.bridges([one, other]) for one, other in both])
+    if not len(held):
+        return []
+    runs = np.split(held, np.flatnonzero(np.diff(held) > 1) + 1)
+    pieces: list[Trim] = []
+    for run in runs:
+        if len(run) < _SHORTEST_RUN:
+            continue
+        lines = (second[run].tolist(), first[run].tolist())
+        folds = chalk.ruled(name, view.panel.name, *lines, is_cut=False, to_the_edge=True)
+        pieces += [replace(fold, swell=_SWELL * chalk.size) for fold in folds if isinstance(fold, Patch)]
     return pieces

@@ -120,6 +120,12 @@ class Layer:
     """How far it lies on the floor behind, cm."""
     opacity: float = 1.0
     """Share of what lies beneath that it hides."""
+    puffs: int = 0
+    """How many puffs it is gathered up into, one below the other, each as far out as `puff` at most."""
+    puff: float = 0.0
+    """cm."""
+    hoops: int = 0
+    """How many hoops hold it out, so that it has no folds."""
 
 
 Trim = Patch | Button | Belt | Frill | Bow | Stirrup | Layer

@@ -62,6 +62,7 @@ from swifttailor.wishes.text.accounting import subjects_spoken_of, unaccounted
 from swifttailor.wishes.text.complaints import without_complaints
 from swifttailor.wishes.text.lexicon_spelling import guessed_name
 from swifttailor.wishes.text.one_half import of_one_half
+from swifttailor.wishes.text.slit_levels import slit_levels
 from swifttailor.wishes.text.spoken_faces import spoken_faces
 from swifttailor.wishes.text.spoken_hems import spoken_bounds, spoken_hem, spoken_slit
 from swifttailor.wishes.text.spoken_levels import spoken_levels
@@ -134,7 +135,7 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
     said += sides.claims
     said += (bounds := spoken_bounds(text, words, named))
     known = {claim.name for claim in said}
-    levels = spoken_levels(text, words, named)
+    levels = spoken_levels(text, words, named).beside(slit_levels(text, words, said))
     said += [claim for claim in levels.claims if claim.name not in known]
     slit = spoken_slit(text, words)
     if slit is not None and (named is None or fits_kind(slit.name, named)):

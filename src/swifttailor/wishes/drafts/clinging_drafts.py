@@ -40,6 +40,11 @@ _SHORTEST_CM = 25.0
 _DEEPEST_BACK_CM = 16.0
 """Backs that are bare further down end at a seam at the waist."""
 _SKIRT_CM: Mapping[str, float] = {"fitted-dress": 60.0, "skater-dress": 50.0, "shirt-dress": 55.0}
+_HEMS_CM: Mapping[str, float] = {
+    **{"above the knee": 46.0, "knee": 54.0, "below the knee": 60.0},
+    **{"midi": 74.0, "maxi": 88.0, "ankle": 93.0},
+}
+"""How long straight dresses are that are to end so, cm: recut, they would widen below the hips."""
 _SHIRT_DRESS, _PULLED_ON = "shirt-dress", ("rolled", "standing")
 """Of shirt dresses, those that have such a collar, and no buttons."""
 _SHIRT_SLEEVES: Mapping[str, float | bool] = {"sleeves": True, "sleeve_length": 58.0}
@@ -93,6 +98,9 @@ def clinging_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
                 options["length"] = max(_SPORT_LENGTH_CM, float(options.get("length", 0.0)))
         options[STRETCH] = max(stretch, own)
         options |= {"chest_ease": room, SHAPING: shaping, "flare": 0.0}
+        ends = [_HEMS_CM[str(c.value)] for c in claims if c.name == "skirt_hem" and c.value in _HEMS_CM]
+        if draft.name == "shift-dress" and ends:
+            options["length"] = ends[0]
         if draft.name != "tank-top":
             options |= _close_sleeves(draft.name, options)
         return replace(draft, options=tuple(options.items()))

@@ -135,7 +135,7 @@ def draft_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft | N
         draft = NamedDraft("gathered-skirt", tuple([o for o in draft.options if o[0] == "length"]))
     if draft.name == "shirt-dress" and _GATHERED_SKIRT in claims:
         draft = replace(draft, options=tuple({**dict(draft.options), "gathers": _GATHERS}.items()))
-    if draft.name == "skater-dress" and is_slit(claims):
+    if draft.name == "skater-dress" and is_slit(claims) and "gathers" not in dict(draft.options):
         draft = close_for_a_slit(draft, claims)
     draft = held_as_asked(_hanging_loose(close_as_asked(draft, claims), claims), claims)
     draft = on_straps_that_hold(bared_as_asked(draft, claims))

@@ -35,8 +35,10 @@ from swifttailor.wishes.drafts.opened_drafts import opened_as_asked
 from swifttailor.wishes.drafts.oversized_drafts import oversized_as_asked
 from swifttailor.wishes.drafts.pleated_dresses import pleats_as_asked
 from swifttailor.wishes.drafts.refused_looks import as_not_refused
+from swifttailor.wishes.drafts.ribbed_dresses import is_ribbed_dress
 from swifttailor.wishes.drafts.said_details import with_details
 from swifttailor.wishes.drafts.sailor_collars import asks_for_sailor_collar, with_sailor_collar
+from swifttailor.wishes.drafts.short_flounces import short_flounce_as_asked
 from swifttailor.wishes.drafts.straight_edges import straight_as_said
 from swifttailor.wishes.drafts.swimsuits_as_asked import on_a_halter
 from swifttailor.wishes.drafts.tiers_as_asked import tiers_as_asked
@@ -138,6 +140,7 @@ def drafts_of(heard: Heard) -> tuple[NamedDraft, ...]:
     lacks = frozenset([lack.what for lack in heard.lacks])
     fitting = [with_details(draft, lacks, sure) for draft in fitting]
     fitting = [with_shirt_collar(draft, heard.text, lacks) for draft in fitting]
+    fitting = [short_flounce_as_asked(draft, sure) for draft in fitting]
     fitting = [tiers_as_asked(godets_as_asked(draft, sure), sure) for draft in fitting]
     fitting = [bubble_as_asked(draft, heard.lacks, sure) for draft in fitting]
     fitting = [wrapped_close_as_asked(draft, sure) for draft in wound_as_asked(fitting, sure)]
@@ -271,7 +274,7 @@ def _moods(heard: Heard) -> list[Claim]:
 def _clings(heard: Heard) -> bool:
     """Whether it is to be close, and of cloth that stretches: a tight one, a close one of jersey."""
     changes = [w.change for w in (*heard.sure, *heard.likely) if isinstance(w.change, Gain)]
-    close = any(change.claim in _CLOSE for change in changes)
+    close = any(change.claim in _CLOSE for change in changes) or is_ribbed_dress(heard, _said_claims(heard))
     stretches = any(STRETCH in entry.cannot for entry in heard.meant)
     ribbed = heard.ribs is not None and heard.cloth != _CORDUROY
     tight = heard.cloth is None and any(_is_tight(entry) for entry in heard.meant)

@@ -58,6 +58,10 @@ _LONGEST_CM, _SHORTEST_CM = 100.0, 36.0
 _FLOOR, _FLOUNCED_CM = Claim("skirt_hem", "floor"), 84.0
 """A flounce begins at the knee: skirts that have one are at least so long."""
 _SLIP = "slip-dress"
+_WAISTED = frozenset(
+    {Claim("waist_seam", "natural"), Claim("skirt", "tiered"), Claim("skirt", "gathered tiers")}
+)
+"""What makes one have a seam at the waist."""
 CIRCLES: Mapping[str, float] = {
     "a-line": 0.3,
     "flared": 0.5,
@@ -118,7 +122,7 @@ def _held(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
         elif shape == "circle":
             options["skirt_fraction"] = CIRCLES[str(claim.value)]
     if draft.name == _SLIP:
-        waisted = any(_asked_skirt(claim) or claim == Claim("waist_seam", "natural") for claim in claims)
+        waisted = any(_asked_skirt(claim) or claim in _WAISTED for claim in claims)
         if hold == "straps" and not waisted:
             return draft
         options = {"skirt_length": options.get("length", _LENGTHS[_SLIP]), **options}

@@ -11,7 +11,7 @@ from swifttailor.wording.lexicon import Lack
 
 _STRIPS = 6.0
 """Seen in front, as those of skirts are."""
-_ROUND = ("skater-dress", "shirt-dress", "strappy-dress", "strapless-dress")
+_ROUND = ("skater-dress", "shirt-dress", "strappy-dress", "strapless-dress", "drop-waist-dress")
 """Drafts of dresses whose skirts are no closer at the hips than at the waist."""
 _PINAFORE, _PINAFORE_EASE_CM = "pinafore", 1.5
 """Under a wide waistband pleats stand off."""

@@ -31,7 +31,10 @@ _BRACED: Mapping[str, tuple[str, tuple[str, ...]]] = {
     "fitted-skirt": ("pinafore", ("length", "hip_ease", "flare")),
 }
 """Drafts that may hang on braces, as what they are cut then, and the options that this has as well."""
-_BIBBED = ("dungarees", "pinafore", "apron")
+_STRAPS_MAY_CROSS = (
+    *("dungarees", "pinafore", "apron"),
+    *("camisole", "slip-dress", "strappy-dress", "strappy-jumpsuit"),
+)
 _LOOSE = frozenset({Claim("fit", "loose"), Claim("fit", "oversized"), Claim("legs", "wide")})
 _DUNGAREES, _ROOMY = "dungarees", {"hip_ease": 14.0, "leg_ease": 30.0, "flare": 2.0, "crotch_drop": 4.0}
 _SHOULDERED, _EXTENSION = ("blazer", "coat"), "shoulder_extension"
@@ -73,7 +76,7 @@ def with_details(draft: NamedDraft, lacks: Collection[str], claims: Collection[C
         more[SIDE_SLITS] = _SLITS_CM[0 if length <= _SHORT_CM else 1 if length <= _CALF_CM else 2]
     if BACK_RISE in lacks and draft.name in _BANDED:
         more[BACK_RISE] = _RISE_CM
-    if CROSSED_STRAPS in lacks and draft.name in _BIBBED:
+    if CROSSED_STRAPS in lacks and draft.name in _STRAPS_MAY_CROSS:
         more[CROSSED] = True
     if draft.name == _DUNGAREES and not options.get("stretch") and not _LOOSE.isdisjoint(claims):
         short = float(options.get("length", _CALF_CM)) <= _SHORT_CM

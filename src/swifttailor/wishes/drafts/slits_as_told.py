@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from swifttailor.describing.claims import Claim
-from swifttailor.pattern.drafts.draft_names import SIDE_SLITS, NamedDraft
+from swifttailor.pattern.drafts.draft_names import BACK_SLIT, SIDE_SLITS, NamedDraft
 
 _HIGH = Claim("slit_size", "high")
 _USUAL_CM, _HIGH_CM = 14.0, 30.0
@@ -16,6 +16,8 @@ _SIDES = (Claim("slit", "left"), Claim("slit", "right"))
 _HAVE_SIDE_SEAMS = frozenset(
     {"t-shirt", "tank-top", "turtleneck", "shift-dress", "hooded-coat", "shirt", "polo-shirt", "kaftan"}
 )
+_SLIT_BEHIND, _BEHIND, _BEHIND_CM = "shift-dress", Claim("slit", "back"), 22.0
+"""The draft whose back may be open above the hem, and how far where nothing is told, cm."""
 _KAFTAN = "kaftan"
 """So long that lower slits than high ones are not seen."""
 SLIT_SKIRT_CM, _FLARE = 72.0, 4.0
@@ -50,10 +52,14 @@ def slit_at_both_sides(claims: Sequence[Claim]) -> bool:
 def with_side_slits(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     """A draft with its side seams open where both are to be; one that has such slits by its name keeps these.
 
+    So is the seam in the middle of the back of a straight dress.
+
     Args:
         draft: As it goes with what else is asked for.
         claims: What is asked for, all of it.
     """
+    if draft.name == _SLIT_BEHIND and _BEHIND in claims and BACK_SLIT not in dict(draft.options):
+        return replace(draft, options=(*draft.options, (BACK_SLIT, side_slits_cm(claims, usual=_BEHIND_CM))))
     opens = draft.name in _HAVE_SIDE_SEAMS and SIDE_SLITS not in dict(draft.options)
     if not opens or not slit_at_both_sides(claims):
         return draft

@@ -7,8 +7,10 @@ from dataclasses import replace
 
 from swifttailor.describing.claims import Claim
 from swifttailor.pattern.drafts.draft_names import NamedDraft
+from swifttailor.wishes.drafts.held_drafts import on_straps_that_hold
 
 _TIERED, _CLOSE_SKIRT, _CLOSE_DRESS = "tiered-skirt", "mermaid-skirt", "mermaid-dress"
+_ON_STRAPS, _LIGHT = "strappy-dress", {"skirt_fraction": 0.35}
 _TO_BE_TIERED = (_CLOSE_SKIRT, "circle-skirt", "gathered-skirt")
 _IN_TIERS = frozenset({Claim("skirt", "tiered"), Claim("skirt", "gathered tiers")})
 _CLOSE = frozenset({Claim("skirt", "fitted base"), Claim("hips", "close")})
@@ -56,9 +58,13 @@ def tiers_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
             return draft
         tiers = float(counts[0] if counts else own.get("tiers") or _CLOSE_TIERS)
         return replace(draft, options=tuple({**own, "tiers": tiers}.items()))
+    ends = [_LENGTHS[str(c.value)] for c in claims if c.name == "skirt_hem" and c.value in _LENGTHS]
+    if draft.name == _ON_STRAPS and tiered and ends:  # lengthened later, its last tier alone would be long
+        return on_straps_that_hold(
+            replace(draft, options=tuple({**own, **_LIGHT, "skirt_length": ends[0]}.items()))
+        )
     if draft.name not in (_TIERED, *_TO_BE_TIERED) or (draft.name != _TIERED and not tiered):
         return draft
-    ends = [_LENGTHS[str(c.value)] for c in claims if c.name == "skirt_hem" and c.value in _LENGTHS]
     stated = [float(c.value) for c in claims if c.name == "skirt_length_cm" and not isinstance(c.value, str)]
     length = min(max([*stated, *ends, float(own.get("length", _USUAL_CM))][0], 36.0), 100.0)
     options = {name: value for name, value in own.items() if name in _KEPT}

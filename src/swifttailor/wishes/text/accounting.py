@@ -10,6 +10,7 @@ from collections.abc import Collection, Sequence, Set
 from swifttailor.describing.claims import Claim
 from swifttailor.describing.differences import Change, Gain, subject_of
 from swifttailor.wording.lexicon import WordMark, WordReading, exclude
+from swifttailor.wording.lexicon.sizes_of_details import TURNS
 
 _ABOUT = {
     "sleeves": "sleeves sleeve_shape left_sleeve right_sleeve cuffs sleeve_cm sleeve_width_cm cuff_cm",
@@ -48,6 +49,10 @@ _DIPPED = Claim("hem_shape", "high-low")
 _CLOSE_HIPS = Claim("hips", "close")
 _CLOSE = frozenset({Claim("legs", "slim"), Claim("fit", "close"), _CLOSE_HIPS})
 _OF_THE_CUT = frozenset(["fits", "lengths", "styles", "parts"])
+_TURNING = frozenset(
+    {Claim("skirt", value) for value in ("fitted base", "tiered", "gathered tiers", "godets")}
+)
+"""Skirts that are close down to where a text says that they turn."""
 _COMPARED = frozenset(
     "longer shorter wider narrower tighter looser bigger smaller deeper higher lower shallower fuller "
     "slimmer roomier larger straighter rounder baggier puffier".split()
@@ -88,7 +93,9 @@ def unaccounted(
             ]
             found += [] if claims.intersection(with_what) else [mark.word]
         if mark.role == "astray" and not mark.denied:
-            found.append(mark.word)
+            named = any(start <= mark.start < end for start, end in told)
+            turns = k > 0 and words.marks[k - 1].word.lower() in TURNS and not _TURNING.isdisjoint(claims)
+            found += [] if named or turns else [mark.word]
             continue
         if not mark.entries or mark.entries[0].category not in _OF_THE_CUT or mark.role == "theirs":
             continue

@@ -23,7 +23,7 @@ _ZIPS = ("zip", "half zip", "back zip", "side zip", "fly", "asymmetric zip")
 _BELTS = ("tie belt", "buckle belt", "sash")
 _TOP_PLEATS = ("pleated front", "fine pleats", "neck pleats", "shoulder pleats", "back pleat")
 _KNEE_RIPS = ("knee rips", "left knee rip", "right knee rip")
-_FRILLS = ("neck frill", "sleeve frills", "hem frill", "front frills", "yoke frill")
+_FRILLS = ("neck frill", "sleeve frills", "hem frill", "front frills", "yoke frill", "shoulder frills")
 TRIMS_OF: Mapping[str, tuple[str, ...]] = {
     "pockets": _POCKETS,
     "buttons": (*_BUTTONS, "back buttons", "fly"),
@@ -100,6 +100,10 @@ TRIMS_OF: Mapping[str, tuple[str, ...]] = {
     "buckles": ("strap buckles", "kilt edge"),
     "wrap": ("kilt edge",),
     "hem_border": ("hem border",),
+    "illusion": ("illusion yoke",),
+    "bustle": ("bustle",),
+    "hoops": ("hoops",),
+    "swim_skirt": ("outer skirt",),
     "folded_band": ("folded band",),
     "thumb_holes": ("thumb holes",),
     "blouse_front": ("blouse front",),
@@ -133,6 +137,7 @@ _SAID_ALONE = frozenset(
         *("lace", "braid", "apron", "boning", "pleats", "smocking", "ruching", "tucks"),
         *("cut_outs", "draped", "draped_cloth", "yoke", "princess_seams", "scallops"),
         *("train", "overskirt", "tulle_layers", "second_layer", "cups", "cape"),
+        *("illusion", "hoops", "bustle", "swim_skirt"),
     }
 )
 """What is put on only where the text itself asks for it, or a row of the tables has its trim."""

@@ -21,7 +21,6 @@ from swifttailor.wishes.wearers.body_said import SaidBody
 from swifttailor.wishes.wearers.body_sizes import hear_size
 from swifttailor.wishes.wearers.grown_girls import with_grown_girls
 from swifttailor.wishes.wearers.not_the_wearer import hide_others, with_finished_chest
-from swifttailor.wishes.wearers.spelt_heights import with_digits
 from swifttailor.wording.lexicon import read_words
 
 PETITE_CM, TALL_CM = {"women": 157.0, "men": 166.0}, {"women": 180.0, "men": 192.0}

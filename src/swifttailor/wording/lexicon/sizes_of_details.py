@@ -28,6 +28,20 @@ _FACES = frozenset({"front", "back", "sides"})
 _AT_NECKS = frozenset({"collar", "neckline", "hood"})
 _WITH = frozenset("with mit avec con col com".split())
 """Before what is put on a garment in other languages: "felpa oversize col cappuccio" is a large one."""
+_BEGINS = frozenset(
+    "from starting start starts begin begins beginning flaring flares flare opening opens".split()
+)
+_CLOSE = frozenset(
+    "tight fitted close slim narrow snug straight hugging close-fitting figure-hugging".split()
+)
+TURNS = _BEGINS | _CLOSE
+"""Words before a level at which a skirt changes its shape."""
+_FLARES = frozenset(
+    {
+        *("fishtail", "flare", "flared", "flares", "flaring", "flounce", "flounces", "godet", "godets"),
+        *("trumpet", "mermaid", "kick", "kicks", "frill", "ruffle"),
+    }
+)
 _FAR = 5
 """Words that may stand between a size and its noun, or a detail and how far it goes."""
 
@@ -60,7 +74,12 @@ def little_behind(words: Sequence[Meaning], k: int) -> int | None:
 
 
 def tells_how_far(words: Sequence[Meaning], k: int) -> bool:
-    """Whether it tells how far something goes that lies along a garment: "split up the front to the knee"."""
+    """Whether it tells how far something goes that lies along a garment: "split up the front to the knee".
+
+    So it does where a skirt is close so far and then flares, and where something begins there.
+    """
+    if _begins_there(words, k) or _is_close_so_far(words, k):
+        return True
     for j in range(k - 1, max(k - _FAR, 0) - 1, -1):
         word = words[j]
         if word.found.gap in ("pause", "stop") or word.category in _ENDS_OPENINGS:
@@ -70,6 +89,19 @@ def tells_how_far(words: Sequence[Meaning], k: int) -> bool:
         if word.is_noun and word.part not in _FACES:
             return False
     return False
+
+
+def _begins_there(words: Sequence[Meaning], k: int) -> bool:
+    """Whether something begins at a level: "three flounces starting at the knee"."""
+    return k > 0 and words[k].found.gap not in ("pause", "stop") and words[k - 1].found.word in _BEGINS
+
+
+def _is_close_so_far(words: Sequence[Meaning], k: int) -> bool:
+    """Whether a garment is close down to a level and flares below: "tight to the knee, then a fishtail"."""
+    if k == 0 or words[k - 1].found.word not in _CLOSE:
+        return False
+    behind = words[k + 1 : k + 1 + _FAR]
+    return any(not _FLARES.isdisjoint(word.found.word.split()) for word in behind)
 
 
 def _is_put_on(words: Sequence[Meaning], k: int) -> bool:

@@ -14,6 +14,8 @@ from swifttailor.pattern.drafts.measurements import Measurements
 from swifttailor.pattern.drafts.neck_collar import CollarHeight, CollarOption, NeckCollar
 from swifttailor.pattern.drafts.neckline import Neckline
 from swifttailor.pattern.drafts.options import Option
+from swifttailor.pattern.drafts.pleated_skirt import LEAST_PLEATS, sew_pleats_to_bodice
+from swifttailor.pattern.drafts.round_skirt import lay_pleats_from_hips
 from swifttailor.pattern.drafts.shaped_sleeve import SleeveShapeOption, lay_shaped_sleeve
 from swifttailor.pattern.drafts.sleeve import Sleeve
 from swifttailor.pattern.pattern import Pattern
@@ -38,6 +40,7 @@ class DropWaistDressOptions:
     ] = 1.35
     skirt_flare: Annotated[float, Option("Extra width of the hem, all around.", "cm", 0.0, 80.0)] = 20.0
     hem_band: declared.HemBand = 0.0
+    pleats: declared.SkirtPleats = 0
     neckline: declared.NeckShapeOption = "round"
     neck_widening: declared.NeckWidening = 1.5
     neck_depth: declared.NeckDepth = 11.5
@@ -79,6 +82,10 @@ def draft_drop_waist_dress(options: DropWaistDressOptions, measurements: Measure
     hem = Halves(*[table.length(f"left_{part}torso.hem") for part in "fb"])
     top_y = figure.waist_y - seam - _BELOW_SEAM_CM
     length = options.skirt_length - seam
+    if options.pleats >= LEAST_PLEATS:
+        lay_pleats_from_hips(table, figure, hem, options.pleats, length, top_y)
+        sew_pleats_to_bodice(table, options.pleats, "hem")
+        return table.finish()
     if options.hem_band:
         lay_bubble_skirt(table, figure, hem, length, top_y, options.fullness, options.hem_band)
     else:

@@ -342,6 +342,7 @@ def lay_sleeved_bodice(
     neckline: Neckline | None = None,
     *,
     strap: float = 0.0,
+    yoke: bool = False,
     racer: bool = False,
 ) -> Halves:
     """Lays a bodice with sleeves, or with armholes further in.
@@ -352,6 +353,7 @@ def lay_sleeved_bodice(
         options: Of its garment.
         neckline: Instead of that of the options.
         strap: Width of the shoulder where there are no sleeves, cm; 0: nearly all of it.
+        yoke: Whether it ends below the arms and has no darts.
         racer: Whether the back is cut in between the shoulder blades, where there are none.
 
     Returns:
@@ -365,9 +367,10 @@ def lay_sleeved_bodice(
     bodice = FittedBodice(
         asked,
         options.bust_ease,
-        options.waist_ease,
+        options.bust_ease if yoke else options.waist_ease,
         options.armhole_drop,
         extension,
+        yoke=yoke,
         racer=racer and not options.sleeves,
     )
     waist = lay_fitted_bodice(table, figure, bodice)

@@ -21,6 +21,8 @@ _BELOW_BUST = 0.5
 """Where the seam runs, as a part of the way from the bust to the waist."""
 _ARM_CM = 6.0
 """Radius of the upper arm and what cloth keeps away from it."""
+_BELOW_ARM_CM = 4.0
+"""A yoke ends so far below the underarm, cm."""
 _NARROWED = 0.75
 """So much of what the bust is wider than the waist is gone there."""
 
@@ -39,6 +41,7 @@ class EmpireDressOptions(SleevedBodiceOptions):
         float, Option("Width of the skirt over that of the seam it is gathered into.", "times", 1.2, 1.6)
     ] = 1.4
     skirt_flare: Annotated[float, Option("Extra width of the hem, all around.", "cm", 0.0, 80.0)] = 24.0
+    yoke: Annotated[bool, Option("End the bodice at the bust, without darts: a smock's yoke.")] = False
 
 
 def draft_empire_dress(options: EmpireDressOptions, measurements: Measurements) -> Pattern:
@@ -46,8 +49,11 @@ def draft_empire_dress(options: EmpireDressOptions, measurements: Measurements) 
     figure = Figure.of(measurements).for_cloth(options.stretch / 100)
     table = CuttingTable("empire-dress", options.stretch / 100)
     under_y = figure.bust_y - _BELOW_BUST * (figure.bust_y - figure.waist_y)
-    short = replace(figure, waist_y=under_y, waist=_under_bust(figure))
-    seam = lay_sleeved_bodice(table, short, options)
+    waist = _under_bust(figure)
+    if options.yoke:
+        under_y, waist = figure.armpit_y - options.armhole_drop - _BELOW_ARM_CM, figure.bust
+    short = replace(figure, waist_y=under_y, waist=waist)
+    seam = lay_sleeved_bodice(table, short, options, yoke=options.yoke)
     table.mirror()
     sew_centres(table)
     length = options.skirt_length + under_y - figure.waist_y

@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 from typing import Annotated
 
 from swifttailor.pattern.drafts import declared
+from swifttailor.pattern.drafts.armholes import RACER_STRAP_CM
 from swifttailor.pattern.drafts.bodice import (
     LooseBodice,
     follows_body,
@@ -45,8 +46,6 @@ _INSET_CM = 1.5
 """How far the armholes of a sleeveless hooded coat lie inside the shoulder tips."""
 _UNDER_PONCHO = 18.0
 """How far the underarm of a poncho lies below the armpit, cm."""
-_RACER_STRAP_CM = 4.0
-"""Width of the straps of shift dresses whose back is cut in."""
 
 
 @dataclass(frozen=True)
@@ -262,6 +261,7 @@ class ShiftDressOptions:
     armhole: ArmholeCutOption = "set-in"
     wing: WingOption = 8.0
     side_slits: declared.SideSlits = 0.0
+    back_slit: declared.BackSlit = 0.0
     hem_rise: declared.HemRise = 0.0
     collar: CollarOption = "none"
     collar_width: declared.CollarWidth = 5.5
@@ -290,7 +290,7 @@ def _from_the_shoulders(
     collar = NeckCollar(options.collar, options.collar_width, options.collar_height)
     extension = shift.shoulder_extension if shift else 0.0
     racer = shift is not None and shift.racer and not options.sleeves and options.collar == "none"
-    bared = asked.start_x(figure) + _RACER_STRAP_CM - figure.shoulder_x if racer else -1.5
+    bared = asked.start_x(figure) + RACER_STRAP_CM - figure.shoulder_x if racer else -1.5
     bodice = LooseBodice(
         collar.neckline(asked),
         options.chest_ease,
@@ -300,6 +300,7 @@ def _from_the_shoulders(
         shoulder_extension=extension if options.sleeves else min(bared, 0.0),
         racer=racer,
         side_slits=shift.side_slits if shift else 0.0,
+        back_slit=shift.back_slit if shift else 0.0,
         side_rise=shift.hem_rise if shift else 0.0,
         waist_shaping=shaping,
         follows=follows_body(stretch, shaping, cut),

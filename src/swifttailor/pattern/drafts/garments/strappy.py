@@ -8,6 +8,7 @@ from typing import Annotated
 from swifttailor.pattern.drafts import declared
 from swifttailor.pattern.drafts.band import lay_gathering_leg_cuff
 from swifttailor.pattern.drafts.bodice import sew_centres
+from swifttailor.pattern.drafts.crossed_straps import sew_crossed_straps
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure, Halves
 from swifttailor.pattern.drafts.fitted_skirt import FittedSkirt, lay_fitted_skirt
@@ -34,6 +35,7 @@ HeartDip = Annotated[float, Option("Fall of the heart in the middle; 0 is straig
 _BUSTIER_STRAP_CM, _HELD_EASE_CM = 1.8, 2.0
 """Straps of a bustier, and its room beside one that has to hold itself, cm."""
 FrontDip = Annotated[float, Option("Fall of the front between the straps.", "cm", 0.0, 8.0)]
+CrossedStraps = Annotated[bool, Option("Cross the straps behind.")]
 
 
 @dataclass(frozen=True)
@@ -47,6 +49,7 @@ class CamisoleOptions:
     dip: FrontDip = 3.0
     waist_shaping: declared.WaistShaping = 0.0
     stretch: declared.ClothStretch = 0.0
+    crossed: CrossedStraps = False
 
 
 def draft_camisole(options: CamisoleOptions, measurements: Measurements) -> Pattern:
@@ -59,6 +62,7 @@ def draft_camisole(options: CamisoleOptions, measurements: Measurements) -> Patt
         options.flare,
         options.waist_shaping,
         options.stretch > 0.0,
+        options.crossed,
     )
     return _on_straps("camisole", bodice, measurements, options.stretch / 100)
 
@@ -73,6 +77,7 @@ class SlipDressOptions:
     strap_width: StrapWidth = 1.5
     dip: FrontDip = 4.0
     waist_shaping: declared.WaistShaping = 0.0
+    crossed: CrossedStraps = False
 
 
 def draft_slip_dress(options: SlipDressOptions, measurements: Measurements) -> Pattern:
@@ -84,6 +89,7 @@ def draft_slip_dress(options: SlipDressOptions, measurements: Measurements) -> P
         options.dip,
         options.flare,
         options.waist_shaping,
+        crossed=options.crossed,
     )
     return _on_straps("slip-dress", bodice, measurements)
 
@@ -192,20 +198,27 @@ class StrappyDressOptions(HeldDressOptions):
     waist_ease: declared.WaistEase = 2.0
     strap_width: StrapWidth = 1.5
     dip: FrontDip = 3.0
+    crossed: CrossedStraps = False
 
 
 def draft_strappy_dress(options: StrappyDressOptions, measurements: Measurements) -> Pattern:
     """Drafts the strappy dress for a body: a darted bodice on thin straps, a skirt sewn to its waist."""
     figure = Figure.of(measurements).for_cloth(options.stretch / 100)
     table = CuttingTable("strappy-dress", options.stretch / 100)
-    bodice = FittedStrapBodice(options.strap_width, options.bust_ease, options.waist_ease, options.dip)
+    bodice = FittedStrapBodice(
+        options.strap_width, options.bust_ease, options.waist_ease, options.dip, options.crossed
+    )
     waist = lay_fitted_strap_bodice(table, figure, bodice)
-    return _with_skirt(table, figure, options, waist)
+    return _with_skirt(table, figure, options, waist, crossed=options.crossed)
 
 
-def _with_skirt(table: CuttingTable, figure: Figure, options: HeldDressOptions, waist: Halves) -> Pattern:
+def _with_skirt(
+    table: CuttingTable, figure: Figure, options: HeldDressOptions, waist: Halves, *, crossed: bool = False
+) -> Pattern:
     table.mirror()
     sew_centres(table)
+    if crossed:
+        sew_crossed_straps(table)
     if options.fitted or options.flounce:
         close = min(options.close, options.skirt_length - SHORTEST_FLOUNCE)
         length = close if options.flounce else options.skirt_length
@@ -265,17 +278,23 @@ class StrappyJumpsuitOptions(HeldJumpsuitOptions):
     waist_ease: declared.WaistEase = 3.0
     strap_width: StrapWidth = 1.5
     dip: FrontDip = 3.0
+    crossed: CrossedStraps = False
 
 
 def draft_strappy_jumpsuit(options: StrappyJumpsuitOptions, measurements: Measurements) -> Pattern:
     """Drafts the strappy jumpsuit for a body: a darted bodice on thin straps, trousers sewn to its waist."""
     figure = Figure.of(measurements).for_cloth(options.stretch / 100)
     table = CuttingTable("strappy-jumpsuit", options.stretch / 100)
-    bodice = FittedStrapBodice(options.strap_width, options.bust_ease, options.waist_ease, options.dip)
-    return _with_legs(table, figure, options, lay_fitted_strap_bodice(table, figure, bodice))
+    bodice = FittedStrapBodice(
+        options.strap_width, options.bust_ease, options.waist_ease, options.dip, options.crossed
+    )
+    waist = lay_fitted_strap_bodice(table, figure, bodice)
+    return _with_legs(table, figure, options, waist, crossed=options.crossed)
 
 
-def _with_legs(table: CuttingTable, figure: Figure, options: HeldJumpsuitOptions, waist: Halves) -> Pattern:
+def _with_legs(
+    table: CuttingTable, figure: Figure, options: HeldJumpsuitOptions, waist: Halves, *, crossed: bool = False
+) -> Pattern:
     legs = legs_of_bodice(
         options.length, options.hip_ease, options.leg_ease, options.flare, options.crotch_drop
     )
@@ -283,6 +302,8 @@ def _with_legs(table: CuttingTable, figure: Figure, options: HeldJumpsuitOptions
     lay_gathering_leg_cuff(table, figure, options.leg_cuff)
     table.mirror()
     sew_centres(table)
+    if crossed:
+        sew_crossed_straps(table)
     sew_legs(table)
     sew_trousers_to_bodice(table)
     return table.finish()
@@ -293,4 +314,6 @@ def _on_straps(name: str, bodice: StrapBodice, measurements: Measurements, stret
     lay_strap_bodice(table, Figure.of(measurements).for_cloth(stretch), bodice)
     table.mirror()
     sew_centres(table)
+    if bodice.crossed:
+        sew_crossed_straps(table)
     return table.finish()
