@@ -67,6 +67,7 @@ _SOFT = (
     "neck pleats",
     "shoulder pleats",
     "back pleat",
+    "box pleats",
     "neck gathers",
     "shoulder gathers",
     "bust gathers",
