@@ -88,7 +88,7 @@ def unaccounted(
             ]
             found += [] if claims.intersection(with_what) else [mark.word]
         if mark.role == "astray" and not mark.denied:
-            found.append(mark.word)
+            found += [] if any(start <= mark.start < end for start, end in told) else [mark.word]
             continue
         if not mark.entries or mark.entries[0].category not in _OF_THE_CUT or mark.role == "theirs":
             continue
