@@ -12,9 +12,12 @@ from swifttailor.panel_mesh import mesh_pattern
 from swifttailor.pattern.drafts import draft
 
 
-@pytest.mark.parametrize("armhole", ["set-in", "raglan", "cut-in-one"])
-def test_nothing_beyond_the_side_counts(armhole):
-    pattern = draft("t-shirt", armhole=armhole, sleeve_length=50.0, sleeve_end=28.0)
+@pytest.mark.parametrize(
+    ("name", "armhole"),
+    [*[("t-shirt", armhole) for armhole in ("set-in", "raglan", "cut-in-one")], ("wrap-top", "cut-in-one")],
+)
+def test_nothing_beyond_the_side_counts(name, armhole):
+    pattern = draft(name, armhole=armhole, sleeve_length=50.0, sleeve_end=28.0)
     mesh = mesh_pattern(pattern, 3.0)
     found = around_trunk(SimpleNamespace(mesh=mesh, pattern=pattern))
     panels = [pattern.panels[k] for k in mesh.flat_panel]

@@ -52,6 +52,7 @@ TRIMMED = {
     "joggers": ("joggers", ("drawstring", "side pockets")),
     "polo shirt": ("polo-shirt", ("polo placket", "back zip")),
     "suit": ("blazer", ("buttons", "welt pockets")),
+    "coat with big buttons": ("coat", ("big buttons",)),
     "puffer": ("bomber-jacket", ("zip", "quilting")),
     "turned-up trousers": ("trousers", ("fly", "turn-ups")),
     "tunic": ("shirt-dress", ("patch pockets", "slant pockets")),
@@ -109,6 +110,7 @@ TRIMMED = {
     "heart tee": ("t-shirt", ("chest heart",)),
     "star hoodie": ("hoodie", ("chest star",)),
     "pleated blouse": ("shirt", ("pleated front", "back pleat")),
+    "Norfolk jacket": ("blazer", ("box pleats",)),
     "pressed blouse": ("shirt", ("fine pleats",)),
     "blouse pleated at the neck": ("t-shirt", ("neck pleats", "sleeve petals")),
     "blouse pleated at the shoulders": ("t-shirt", ("shoulder pleats",)),
@@ -128,6 +130,7 @@ TRIMMED = {
     "illusion dress": ("fitted-dress", ("illusion yoke",)),
     "bustle skirt": ("circle-skirt", ("bustle",)),
     "crinoline": ("gathered-skirt", ("hoops",)),
+    "wrap top": ("wrap-top", ("nape bow", "side tie")),
 }
 """Name of a draft and what is put on it: between them all trims that there are."""
 

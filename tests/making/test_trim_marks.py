@@ -37,7 +37,7 @@ from swifttailor.pattern.trims import (
 
 NAMES = (
     "denim-jacket", "trench coat", "trousers", "shirt-dress", "zipped hoodie", "hoodie", "dungarees",
-    "joggers", "polo shirt", "suit", "puffer", "turned-up trousers", "tunic",
+    "joggers", "polo shirt", "suit", "coat with big buttons", "puffer", "turned-up trousers", "tunic",
     "dirndl", "blouse", "piped shirt", "yoked blouse", "cape", "working vest", "track top", "track bottoms",
     "biker jacket", "raincoat", "duffle coat",
     "banded dress", "sundress", "vest", "pyjama bottoms", "slip",
@@ -49,12 +49,12 @@ NAMES = (
     "milkmaid dress", "ruched dress", "cowl dress", "cold shoulder top", "cut-out dress", "patched jumper",
     "draped gown", "tucked blouse", "princess dress", "paper bag trousers",
     "bride's dress", "royal bride's dress", "princess gown", "caped dress",
-    "flapper dress", "heart tee", "star hoodie", "pleated blouse", "pressed blouse",
+    "flapper dress", "heart tee", "star hoodie", "pleated blouse", "Norfolk jacket", "pressed blouse",
     "blouse pleated at the neck", "blouse pleated at the shoulders", "blouse gathered at the neck",
     "blouse gathered at the shoulders",
     "stitched jeans", "seamed denim jacket", "buckled dungarees", "kilt", "folded leggings", "running top",
     "girl's dress", "dirndl with a blouse", "maternity top", "skort",
-    "dress with frilled shoulders", "illusion dress", "bustle skirt", "crinoline",
+    "dress with frilled shoulders", "illusion dress", "bustle skirt", "crinoline", "wrap top",
 )  # fmt: skip
 
 

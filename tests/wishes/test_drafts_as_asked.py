@@ -285,7 +285,7 @@ def test_what_is_darted_to_the_waist_stays_as_long_and_as_wide_as_it_is():
     darted = NamedDraft.parse("turtleneck(rolled=false;chest_ease=5;length=6;waist_shaping=3)")
     asked = [Claim("top_hem", "waist"), Claim("fit", "close")]
     assert draft_as_asked(darted, asked) == darted
-    assert dict(draft_as_asked(NamedDraft("turtleneck"), asked).options)["length"] == 1.0
+    assert dict(draft_as_asked(NamedDraft("turtleneck"), asked).options)["length"] == 4.0
 
 
 def test_long_legs_are_cut_as_long_as_their_inseam_is_told():

@@ -40,7 +40,7 @@ def heard():
         ("top gathered at the neck", "neck gathers"),
         ("blouse with gathers at the shoulders", "shoulder gathers"),
         ("tulip sleeve top", "sleeve petals"),
-        ("wrap blouse", "tie belt"),
+        ("wrap blouse", "side tie"),
         ("shirt with a tie at the waist", "tie belt"),
         ("white crop shirt knotted at the waist", "waist bow"),
     ],

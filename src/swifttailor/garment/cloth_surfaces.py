@@ -10,6 +10,7 @@ import numpy as np
 from swifttailor.arrays import Array
 from swifttailor.garment.cloth_color import cloth_color
 from swifttailor.garment.cloth_print import cloth_at
+from swifttailor.garment.collar_lines import is_of_collar, seams_within_collars
 from swifttailor.garment.trim_colors import DARKEST, is_dark
 from swifttailor.pattern.centre_seams import needless_centre_seams
 from swifttailor.render.color import GREY, Color, to_linear
@@ -42,6 +43,8 @@ _WOVEN, _REPEATS_CM = ("stripes", "checks", "plaid"), 48.0
 """Prints that go through to the wrong side, and a width over which they repeat."""
 ON_DARK = -1.3
 """How much lighter seams are than dark cloth, in previews."""
+_COLLAR_STRENGTH, _COLLAR_WIDTH = 0.6, 1.5
+"""Of the edges of collars there: what a collar is like is told by them, in small pictures as well."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -183,14 +186,24 @@ def _lines(
     if shown is not None:
         reached = _reached(garment, shown)
         seams, borders = (edges[reached[edges].all(axis=1)] for edges in (seams, borders))
-    hems = LineSet(borders, strength=0.30, width=1.2)
-    darker, lighter = LineSet(seams, strength=0.42, width=1.1), LineSet(seams, strength=ON_DARK, width=1.1)
-    if not seen_on_dark or not dark.any():
-        return darker, hems
-    if dark.all():
-        return lighter, hems
-    on_light = _reached(garment, ~dark[garment.mesh.face_panel])[seams].all(axis=1)
-    return replace(darker, edges=seams[on_light]), replace(lighter, edges=seams[~on_light]), hems
+    seam = LineSet(seams, strength=0.42, width=1.1)
+    if not seen_on_dark:
+        return seam, LineSet(borders, strength=0.30, width=1.2)
+    of_collar = is_of_collar(garment)[borders].all(axis=1)
+    hems = LineSet(borders[~of_collar], strength=0.30, width=1.2)
+    collar = LineSet(borders[of_collar], strength=_COLLAR_STRENGTH, width=_COLLAR_WIDTH)
+    on_light = _reached(garment, ~dark[garment.mesh.face_panel])
+    return (*_on_cloth(seam, on_light), *_on_cloth(collar, on_light), hems)
+
+
+def _on_cloth(line: LineSet, on_light: Array) -> tuple[LineSet, ...]:
+    """A line as it is seen: darker than light cloth (v,) bool, and lighter than dark cloth."""
+    light = on_light[line.edges].all(axis=1)
+    parts = (
+        replace(line, edges=line.edges[light]),
+        replace(line, edges=line.edges[~light], strength=ON_DARK),
+    )
+    return tuple([part for part in parts if len(part.edges)])
 
 
 def _reached(garment: Garment, faces: Array) -> Array:
@@ -243,7 +256,7 @@ def _wrong_side(printed: ClothPrint) -> Array:
 
 def _seam_edges(garment: Garment, as_worn: bool) -> Array:
     """(n, 2) vertex indices of seams; `as_worn` without those that vanish where cloth is cut on the fold."""
-    needless = needless_centre_seams(garment.pattern) if as_worn else frozenset[int]()
+    needless = needless_centre_seams(garment.pattern, aslant=True) if as_worn else frozenset[int]()
     if needless and garment.looks:
         from swifttailor.garment.part_looks import looks_of_panels
 
@@ -251,6 +264,8 @@ def _seam_edges(garment: Garment, as_worn: bool) -> Array:
         looks = dict(zip(names, looks_of_panels(garment), strict=True))
         stitches = garment.pattern.stitches
         needless = {k for k in needless if len({looks[side.panel] for side in stitches[k].sides}) == 1}
+    if as_worn:
+        needless = frozenset(needless) | seams_within_collars(garment.pattern)
     parts = [
         np.stack([s.vertices[:-1], s.vertices[1:]], axis=1)
         for s in garment.seams

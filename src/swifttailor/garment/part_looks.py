@@ -76,6 +76,7 @@ _PARTS: Mapping[str, tuple[frozenset[Part], str]] = {
 TRIMS_OF_PARTS: Mapping[str, tuple[str, ...]] = {
     "buttons": (
         "buttons",
+        "big buttons",
         "button placket",
         "polo placket",
         "waist placket",
@@ -89,7 +90,7 @@ TRIMS_OF_PARTS: Mapping[str, tuple[str, ...]] = {
         *("side pockets", "slant pockets", "back pockets", "cargo pockets"),
         *("front pocket", "lower back pockets", "thigh pocket", "back welt pockets"),
     ),
-    "belt": ("tie belt", "buckle belt", "sash"),
+    "belt": ("tie belt", "buckle belt", "sash", "side tie"),
     "drawstring": ("drawstring", "neck cord"),
     "frills": ("neck frill", "sleeve frills", "hem frill", "front frills", "yoke frill", "shoulder frills"),
     "fringe": ("hem fringe",),
@@ -102,7 +103,7 @@ TRIMS_OF_PARTS: Mapping[str, tuple[str, ...]] = {
         *("three side stripes", "three sleeve stripes"),
     ),
     "side_panels": ("side panels",),
-    "bow": ("neck bow", "waist bow", "shoulder bows", "back bow", "back ties", "hip knot"),
+    "bow": ("neck bow", "nape bow", "waist bow", "shoulder bows", "back bow", "back ties", "hip knot"),
     "lacing": ("lacing", "back lacing"),
     "apron": ("apron",),
     "motif": ("chest heart", "chest star"),

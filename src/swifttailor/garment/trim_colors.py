@@ -68,6 +68,7 @@ _SOFT = (
     "neck pleats",
     "shoulder pleats",
     "back pleat",
+    "box pleats",
     "neck gathers",
     "shoulder gathers",
     "bust gathers",

@@ -40,8 +40,8 @@ _KEEPS_TO = 0.002
 _WAISTED = 0.97
 """Cloth whose girth at its narrowest is less than this part of what is above and below has a waist."""
 _TAIL, _KNOT = 26.0, 2.2
-_TIED_BEHIND = ("sash", "apron")
-"""Bands whose bow is marked behind."""
+_TIED_BEHIND = ("sash", "apron", "side tie")
+"""Bands whose bow is marked elsewhere than in front."""
 _NO_AREA = 1e-5
 """Triangles of less than half of this are left out, cm²."""
 _NEAR = 12

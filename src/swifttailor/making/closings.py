@@ -17,7 +17,7 @@ from swifttailor.pattern import EdgeRef, Pattern
 from swifttailor.pattern.trims import Button, Patch, Trim
 from swifttailor.pattern.trims.names import CLOSES_FRONT
 
-DOUBLE, SINGLE = "double-breasted buttons", "buttons"
+DOUBLE, SINGLE = "double-breasted buttons", ("buttons", "big buttons")
 
 
 @dataclass(frozen=True)
@@ -108,7 +108,7 @@ def front_closing(sewn: SewnPattern, seams: Sequence[Seam], trims: Sequence[Trim
     if not name or not own:
         return None
     extension = 0.0
-    if name == SINGLE:  # as usual, a button's width
+    if name in SINGLE:  # as usual, a button's width
         extension = 2 * max(t.radius for t in own if isinstance(t, Button))
     elif name == DOUBLE:
         line = next(t for t in own if isinstance(t, Patch))

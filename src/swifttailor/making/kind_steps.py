@@ -44,6 +44,21 @@ OF_KINDS: Mapping[str, tuple[str, str]] = {
         "Cut front and back apart along the marked seam, the part below half as wide again, with allowances. "
         "Gather its upper edge to the length of the other, and sew both together.",
     ),
+    "nape bow": (
+        "Bow at the nape",
+        "Cut a band of 90 by 10 cm, fold it lengthwise, sew around it but for a gap, and turn it. Tie it, "
+        "and fasten its knot to the middle of the back of the neck.",
+    ),
+    "box pleats": (
+        "Box pleats",
+        "Cut each front and the back apart along the middle of its marked folds, 8 cm farther apart, with "
+        "cloth between. Fold along the marks towards each other, and stitch the pleat down along its folds.",
+    ),
+    "side tie": (
+        "Band and bow at the side",
+        "Cut a band of 240 by 8 cm, fold it lengthwise, sew around it but for a gap, and turn it. Sew its "
+        "middle to the right side seam at the waist, and tie it in a bow at the left side.",
+    ),
     "hip knot": (
         "Knot at the hip",
         "Cut two bands of 50 by 14 cm, hem them, catch one in each front edge at the waist, and tie them.",

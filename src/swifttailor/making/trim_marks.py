@@ -24,7 +24,7 @@ HOLE_EASE_CM = 0.3
 """A buttonhole is so much longer than its button is wide, and begins so far beyond the middle."""
 _SAME_CM = 0.06
 """Marks of twins that lie this close to each other are drawn once."""
-_ROWS = (SINGLE, "button placket", "polo placket", "waist placket")
+_ROWS = (*SINGLE, "button placket", "polo placket", "waist placket")
 _MIDDLE_CM = 0.5
 
 

@@ -26,8 +26,8 @@ ACROSS = ("kangaroo pocket", "bib pocket", "front pocket", "lower back pockets")
 """Pockets whose halves meet in the middle."""
 OPENINGS = ("side pockets", "slant pockets")
 """Pockets that hang inside."""
-BANDS = ("buttons", "button placket", "polo placket", "waist placket")
-"""What has bands along an opening; `buttons` on skirts alone."""
+BANDS = ("buttons", "big buttons", "button placket", "polo placket", "waist placket")
+"""What has bands along an opening; those without a placket on skirts alone."""
 ZIPS = ("zip", "half zip", "back zip", "side zip")
 _LINES: Mapping[str, str] = {
     "side pockets": "pocket opening",
@@ -57,7 +57,8 @@ _LINES: Mapping[str, str] = {
     **dict.fromkeys(("neck gathers", "shoulder gathers"), "gathers"),
     "sleeve petals": "edge of the upper half",
     **dict.fromkeys(
-        ("pleated front", "fine pleats", "neck pleats", "shoulder pleats", "back pleat"), "fold of a pleat"
+        ("pleated front", "fine pleats", "neck pleats", "shoulder pleats", "back pleat", "box pleats"),
+        "fold of a pleat",
     ),
     "diagonal closing": "piping",
     "shoulder drape": "fold",

@@ -11,9 +11,9 @@ from swifttailor.pattern.panel import Panel
 from swifttailor.pattern.pattern import Pattern, Stitch
 from swifttailor.pattern.trims.names import CLOSES_FRONT
 
-_UPRIGHT = 0.02
-"""Sine of the largest angle between such a seam and the grain."""
-_EVEN_CM = 0.03
+_UPRIGHT, _ASLANT = 0.02, 0.1
+"""Sine of the largest angle between such a seam and the grain, and where cloth is folded a little askew."""
+_EVEN_CM, _ASIDE_CM = 0.03, 4.0
 _STRAIGHT_ON = 0.98
 """Cosine of the largest angle by which an edge that goes on turns."""
 _BACK_ZIP = "back zip"
@@ -24,8 +24,13 @@ def foldable_sides(pattern: Pattern) -> tuple[bool, bool]:
     return not set(pattern.trims) & set(CLOSES_FRONT), _BACK_ZIP not in pattern.trims
 
 
-def needless_centre_seams(pattern: Pattern) -> frozenset[int]:
-    """Indices of the stitches that vanish where the middle of front and back is cut on the fold."""
+def needless_centre_seams(pattern: Pattern, *, aslant: bool = False) -> frozenset[int]:
+    """Indices of the stitches that vanish where the middle of front and back is cut on the fold.
+
+    Args:
+        pattern: Any pattern that can be sewn.
+        aslant: Whether cloth may be folded a little off its grain, as of camisoles that widen to the hem.
+    """
     front, back = foldable_sides(pattern)
     found = []
     for index, stitch in enumerate(pattern.stitches):
@@ -34,7 +39,7 @@ def needless_centre_seams(pattern: Pattern) -> frozenset[int]:
         a, b = (pattern.panel(side.panel) for side in stitch.sides)
         if not (front if a.normal()[2] > 0 else back) or a.name == b.name:
             continue
-        if is_centre_seam(pattern, stitch) and not _goes_on(a, stitch.first.edge):
+        if is_centre_seam(pattern, stitch, aslant=aslant) and not _goes_on(a, stitch.first.edge):
             found.append(index)
     return frozenset(found)
 
@@ -52,7 +57,7 @@ def _goes_on(panel: Panel, edge: int) -> bool:
     return False
 
 
-def is_centre_seam(pattern: Pattern, stitch: Stitch) -> bool:
+def is_centre_seam(pattern: Pattern, stitch: Stitch, *, aslant: bool = False) -> bool:
     """Whether a stitch joins two panels that are each other's mirror image at it.
 
     It is straight, runs along the grain in the middle of the body, and is all that joins them.
@@ -60,6 +65,7 @@ def is_centre_seam(pattern: Pattern, stitch: Stitch) -> bool:
     Args:
         pattern: Any pattern that can be sewn.
         stitch: One of its stitches, between two panels of it.
+        aslant: Whether it may run a little off the grain.
     """
     first, second = stitch.sides
     a, b = pattern.panel(first.panel), pattern.panel(second.panel)
@@ -73,10 +79,13 @@ def is_centre_seam(pattern: Pattern, stitch: Stitch) -> bool:
         return False
     start, end = a.chord(first.edge)
     along = (end - start) / max(float(np.hypot(*(end - start))), 1e-9)
-    if abs(along[0]) > _UPRIGHT or abs(pattern.edge_length(first) - pattern.edge_length(second)) > _EVEN_CM:
+    if (
+        abs(along[0]) > (_ASLANT if aslant else _UPRIGHT)
+        or abs(pattern.edge_length(first) - pattern.edge_length(second)) > _EVEN_CM
+    ):
         return False
     middle = a.to_world(a.chord(first.edge))[:, 0]
-    if np.abs(middle).max() > 1.0:  # elsewhere than in the middle of the body
+    if np.abs(middle).max() > (_ASIDE_CM if aslant else 1.0):  # elsewhere than in the middle of the body
         return False
     mirrored = _mirrored(a, first.edge)
     moved = _moved(b, second.edge, a, first.edge)

@@ -15,7 +15,17 @@ OF_NO_OTHER_SOURCE = frozenset(
 )
 """Drafts whose openings, collars and bands make them the garment that they are."""
 DETAILS = frozenset(
-    {"cuffs", "sleeve_shape", "armholes", "bodice", "neckline", "left_neckline", "right_neckline"}
+    {
+        "cuffs",
+        "cuff_cm",
+        "waist_seam",
+        "sleeve_shape",
+        "armholes",
+        "bodice",
+        "neckline",
+        "left_neckline",
+        "right_neckline",
+    }
     | {"neck_depth", "back_depth", "back_neckline", "hem_shape", "waistband", "straps", "rise"}
 )
 """Names of claims that matter less than what the garment is."""

@@ -26,6 +26,7 @@ TROUSERS = ("trousers", "jeans", "flares", "pull-on-trousers", "joggers")
 BELOW_HIPS = ("cardigan", "coat", "hooded-coat", "robe", "shift-dress")
 SHOULD_HAVE = {
     "buttons": (*JACKETS, "cardigan", "shirt"),
+    "big buttons": (*JACKETS, "cardigan", "shirt"),
     "button placket": ("shirt", "shirt-dress", "fitted-dress", "circle-skirt", "camisole"),
     "polo placket": ("polo-shirt", "t-shirt"),
     "waist placket": ("shirt-dress", "fitted-dress", "shift-dress", "shirt"),
@@ -83,6 +84,7 @@ SHOULD_HAVE = {
     "three sleeve stripes": ("t-shirt", "bomber-jacket", "sweatshirt", "hoodie", "denim-jacket"),
     "side panels": ("t-shirt", "turtleneck", "leggings", "jumpsuit", "shift-dress"),
     "neck bow": (*TOPS, "shirt-dress"),
+    "nape bow": ("t-shirt", "shirt", "tank-top", "shift-dress"),
     "waist bow": ("skater-dress", "fitted-dress", "fitted-skirt"),
     "shoulder bows": ("strappy-dress", "camisole", "tank-top", "slip-dress", "fitted-dress"),
     "lacing": ("t-shirt", "shirt", "skater-dress", "bustier"),
@@ -140,6 +142,7 @@ SHOULD_HAVE = {
     "neck pleats": ("shirt", "t-shirt", "turtleneck", "fitted-dress", "tank-top"),
     "shoulder pleats": ("shirt", "t-shirt", "turtleneck"),
     "back pleat": ("shirt", "t-shirt", "blazer"),
+    "box pleats": ("blazer", "shirt", "coat"),
     "sleeve petals": ("t-shirt", "coat", "turtleneck"),
     "neck gathers": ("shirt", "t-shirt", "turtleneck", "fitted-dress", "tank-top"),
     "shoulder gathers": ("shirt", "t-shirt", "turtleneck", "shift-dress"),
@@ -168,6 +171,7 @@ SHOULD_HAVE = {
     "illusion yoke": ("skater-dress", "fitted-dress", "t-shirt", "shift-dress", "empire-dress"),
     "bustle": ("circle-skirt", "skater-dress", "fitted-dress"),
     "hoops": ("gathered-skirt", "circle-skirt", "strapless-dress"),
+    "side tie": ("wrap-top", "wrap-dress", "t-shirt", "cardigan"),
 }
 CHILDREN = (60.0, 92.0, 110.0, 128.0, 152.0)
 SOME = tuple(info for info in list_drafts() if info.name not in ("gored-skirt", "pleated-skirt"))
@@ -224,6 +228,8 @@ def test_has_its_place_on_the_drafts_that_should_have_it(name, drafts):
         ("outer skirt", "circle-skirt"), ("outer skirt", "t-shirt"),
         ("shoulder frills", "circle-skirt"), ("illusion yoke", "strapless-dress"), ("bustle", "jeans"),
         ("hoops", "t-shirt"), 
+        ("big buttons", "jeans"), ("nape bow", "halter-top"),
+        ("box pleats", "camisole"), ("side tie", "trousers"),
     ],
 )  # fmt: skip
 def test_has_none_on_others(name, draft_name, drafts):

@@ -71,7 +71,7 @@ def assert_on_panels(pattern: Pattern, trims: tuple[Trim, ...]) -> None:
         elif isinstance(trim, Bow):
             assert 4 < trim.width < 30 and 4 < trim.tail < 30
         else:
-            assert 0.1 < trim.radius < 1.5
+            assert 0.1 < trim.radius < 2.7
 
 
 def darts(pattern: Pattern, name: str) -> list[shapely.Geometry]:

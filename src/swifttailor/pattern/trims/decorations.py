@@ -37,7 +37,7 @@ _NECK_LACE, _RIB, _HEM_RIB = 4.0, 2.0, 3.0
 _BORDER = 7.5
 """How wide the border of another colour along a hem is, cm."""
 _BOW, _BOW_TAIL = 15.0, 17.0
-_BELOW_SHOULDER, _SHOULDER_BOW, _SHOULDER_TAIL = 3.0, 11.0, 10.5
+_BELOW_SHOULDER, _SHOULDER_BOW, _SHOULDER_TAIL = 3.0, 11.0, 8.0
 """Bows on shoulders: how far below their highest point, how wide, and how long their ends are, cm."""
 _BELOW_NECK = 1.0
 """A bow's knot and the ends of a cord begin so far below the neck, cm."""

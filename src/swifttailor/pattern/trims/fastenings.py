@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 
 import numpy as np
 
@@ -13,9 +14,15 @@ from swifttailor.pattern.trims.front_view import edge_at, front_edge
 from swifttailor.pattern.trims.names import LIKE_EACH_OTHER
 from swifttailor.pattern.trims.shapes import Belt, Look, Trim
 
-_BUTTON, _COAT_BUTTON = 0.6, 1.0
+_BUTTON, _COAT_BUTTON, _BIG_BUTTON = 0.6, 1.0, 2.0
 """Radii, cm."""
-_SPACING, _COAT_SPACING = 8.5, 11.0
+_SPACING, _COAT_SPACING, _BIG_SPACING = 8.5, 11.0, 11.0
+_WITHOUT_BAND: Mapping[str, tuple[float, float]] = {
+    "buttons": (_COAT_SPACING, _COAT_BUTTON),
+    "big buttons": (_BIG_SPACING, _BIG_BUTTON),
+}
+"""How far apart buttons are, and their radius, cm, by the name of a row that has no band."""
+_BIG = "big buttons"
 _FROM_NECK, _FROM_HEM = 1.6, 2.5
 _ROOM, _LEAST = 0.3, 0.15
 """Radius of a button over its distance from the next, at most, and of the smallest, cm."""
@@ -86,8 +93,8 @@ def buttons(chalk: Chalk, name: str) -> list[Trim]:
     if seam is None:
         return [] if name in _ABOVE_WAIST else _buttons_of_skirt(chalk, name, chalk.pattern.button_count)
     right, left, low, high = seam
-    coat = name == "buttons"
-    spacing, radius = (_COAT_SPACING, _COAT_BUTTON) if coat else (_SPACING, _BUTTON)
+    coat = name in _WITHOUT_BAND
+    spacing, radius = _WITHOUT_BAND.get(name, (_SPACING, _BUTTON))
     spacing, radius = spacing * chalk.size, radius * chalk.size
     if name == "polo placket":
         low = max(low, high - _POLO * chalk.size)
@@ -147,14 +154,15 @@ def _skirt_length(chalk: Chalk) -> float:
 
 def _buttons_of_skirt(chalk: Chalk, name: str, count: int = 0) -> list[Trim]:
     """Down the middle of a skirt in one piece: shirt dresses, skirts that are buttoned."""
+    spacing, radius = _WITHOUT_BAND[name] if name == _BIG else (_SPACING, _BUTTON)
     middle = _skirt_middle(chalk)
     if middle is None:
         return []
     view, (low, high) = chalk.views["skirt_front"], middle
-    heights = np.arange(high - 4, low + 7, -_SPACING * chalk.size)
+    heights = np.arange(high - 4, low + 7, -spacing * chalk.size)
     if count:
         heights = np.linspace(low + 7, high - 4, count)[::-1] if count > 1 else np.array([high - 4])
-    row = [chalk.button(name, view.panel.name, (0.0, float(y)), _BUTTON * chalk.size) for y in heights]
+    row = [chalk.button(name, view.panel.name, (0.0, float(y)), radius * chalk.size) for y in heights]
     if not row or not all(row):
         return []
     ends = np.linspace(low + 0.3, high - 0.3, max(int((high - low) / 2), 2))

@@ -10,6 +10,7 @@ from swifttailor.errors import PatternError
 
 TRIMS: Mapping[str, str] = {
     "buttons": "buttons down the front",
+    "big buttons": "big buttons down the front",
     "button placket": "a front band with buttons",
     "polo placket": "a short front band with buttons",
     "waist placket": "a front band with buttons down to the waist",
@@ -67,6 +68,7 @@ TRIMS: Mapping[str, str] = {
     "three sleeve stripes": "three stripes down each sleeve",
     "side panels": "side panels in another colour",
     "neck bow": "a bow at the neck",
+    "nape bow": "a bow at the nape",
     "waist bow": "a bow at the waist",
     "shoulder bows": "bows on the shoulders",
     "lacing": "lacing down the front",
@@ -116,6 +118,7 @@ TRIMS: Mapping[str, str] = {
     "neck pleats": "pleats below the neck",
     "shoulder pleats": "pleats below the shoulders",
     "back pleat": "a pleat down the middle of the back",
+    "box pleats": "box pleats down fronts and back",
     "sleeve petals": "sleeves of two petals",
     "neck gathers": "gathers below the neck",
     "shoulder gathers": "gathers below the shoulders",
@@ -144,11 +147,13 @@ TRIMS: Mapping[str, str] = {
     "illusion yoke": "net above the bodice",
     "bustle": "a skirt gathered up behind",
     "hoops": "a skirt held out by hoops",
+    "side tie": "a band tied at the left side of the waist",
 }
 """By name, what each is for people. None joins panels, so none changes how a garment is cut or hangs."""
 LIKE_EACH_OTHER = (
     (
         "buttons",
+        "big buttons",
         "button placket",
         "double-breasted buttons",
         "zip",
@@ -158,7 +163,7 @@ LIKE_EACH_OTHER = (
         "asymmetric zip",
         "toggles",
     ),
-    ("tie belt", "buckle belt", "drawstring", "sash"),
+    ("tie belt", "buckle belt", "drawstring", "sash", "side tie"),
     ("elastic waist", "back elastic"),
     ("cargo pockets", "thigh pocket"),
     ("kangaroo pocket", "front pocket"),
@@ -184,7 +189,7 @@ LIKE_EACH_OTHER = (
         "pleated front",
         "fine pleats",
     ),
-    ("back pleat", "fine pleats"),
+    ("back pleat", "fine pleats", "box pleats"),
     ("yoke", "yoke frill", "smocking", "denim seams", "blouse front", "illusion yoke"),
     ("waist frill", "folded band"),
     ("sleeve frills", "sleeve turn-ups", "thumb holes"),
@@ -212,12 +217,13 @@ MOST_BUTTONS = 20
 """So many may close a front, by the number that a pattern states."""
 _COUNTED: Mapping[str, str] = {
     "buttons": "{} down the front",
+    "big buttons": "{} down the front, big ones",
     "button placket": "a front band with {}",
     "polo placket": "a short front band with {}",
     "waist placket": "a front band with {} down to the waist",
     "double-breasted buttons": "two rows of buttons, {} in all",
 }
-CLOSES_FRONT = LIKE_EACH_OTHER[0][:4]
+CLOSES_FRONT = LIKE_EACH_OTHER[0][:5]
 """What closes a front all the way down."""
 
 

@@ -40,6 +40,7 @@ from swifttailor.pattern.trims.keyholes import keyhole
 from swifttailor.pattern.trims.kilt_edge import kilt_edge
 from swifttailor.pattern.trims.knee_patches import knee_patches
 from swifttailor.pattern.trims.layers import layer
+from swifttailor.pattern.trims.nape_bow import nape_bow
 from swifttailor.pattern.trims.neck_gathers import neck_gathers
 from swifttailor.pattern.trims.petal_sleeves import sleeve_petals
 from swifttailor.pattern.trims.reflecting_bands import reflecting_bands
@@ -53,6 +54,7 @@ from swifttailor.pattern.trims.side_stripes import (
     three_side_stripes,
     three_sleeve_stripes,
 )
+from swifttailor.pattern.trims.side_tie import side_tie
 from swifttailor.pattern.trims.smocking import smocking
 from swifttailor.pattern.trims.stirrups import stirrups
 from swifttailor.pattern.trims.strap_buckles import strap_buckles
@@ -64,6 +66,7 @@ from swifttailor.pattern.trims.yoke_frill import yoke_frill
 
 _PLACES: Mapping[str, Callable[[Chalk, str], list[Trim]]] = {
     "buttons": fastenings.buttons,
+    "big buttons": fastenings.buttons,
     "button placket": fastenings.buttons,
     "polo placket": fastenings.buttons,
     "waist placket": fastenings.buttons,
@@ -121,6 +124,7 @@ _PLACES: Mapping[str, Callable[[Chalk, str], list[Trim]]] = {
     "three sleeve stripes": three_sleeve_stripes,
     "side panels": side_panels,
     "neck bow": decorations.neck_bow,
+    "nape bow": nape_bow,
     "waist bow": decorations.waist_bow,
     "shoulder bows": decorations.shoulder_bows,
     "lacing": decorations.lacing,
@@ -170,6 +174,7 @@ _PLACES: Mapping[str, Callable[[Chalk, str], list[Trim]]] = {
     "neck pleats": top_pleats.neck_pleats,
     "shoulder pleats": top_pleats.shoulder_pleats,
     "back pleat": top_pleats.back_pleat,
+    "box pleats": top_pleats.box_pleats,
     "sleeve petals": sleeve_petals,
     "neck gathers": neck_gathers,
     "shoulder gathers": top_pleats.shoulder_gathers,
@@ -198,6 +203,7 @@ _PLACES: Mapping[str, Callable[[Chalk, str], list[Trim]]] = {
     "illusion yoke": illusion_yoke,
     "bustle": layer,
     "hoops": layer,
+    "side tie": side_tie,
 }
 """How each of `names.TRIMS` is marked."""
 

@@ -34,6 +34,9 @@ _BACK_FROM_MIDDLE, _BESIDE_HOLLOW, _BACK_BELOW = 2.0, 3.8, 11.0
 """How far both folds of a box pleat lie beside the middle of the back, and of one that is drawn in at the
 waist; how far below the neck they begin, cm."""
 
+_BOX_AT, _BOX = 0.62, 2.0
+"""Where the middle of a box pleat is on the shoulder seam, as a part of it, and half its width, cm."""
+
 
 def pleated_front(chalk: Chalk, name: str) -> list[Trim]:
     """Folds down both fronts, from below the neck and the shoulders to the hem or the waist seam."""
@@ -103,6 +106,37 @@ def back_pleat(chalk: Chalk, name: str) -> list[Trim]:
     """
     found = _back_folds(chalk, name, _BACK_FROM_MIDDLE * chalk.size)
     return found or _back_folds(chalk, name, _BESIDE_HOLLOW * chalk.size)
+
+
+def box_pleats(chalk: Chalk, name: str) -> list[Trim]:
+    """Both folds of a box pleat down each front and each half of the back, from the shoulder to the hem."""
+    front, back = (_box_pleats(chalk, name, part) for part in ("ftorso", "btorso"))
+    return [*front, *back] if front and back else []
+
+
+def _box_pleats(chalk: Chalk, name: str, part: str) -> list[Trim]:
+    pieces: list[Trim] = []
+    s = chalk.size
+    for half, sign in _HALVES:
+        view = chalk.views.get(f"{half}_{part}")
+        if view is None or not _reaches_the_neck(chalk, view):
+            return []
+        inner, outer = _shoulder_of(view, sign)
+        if abs(outer - inner) < _LEAST_SHOULDER * s:
+            return []
+        middle = inner + _BOX_AT * (outer - inner)
+        for x in (middle - sign * _BOX * s, middle + sign * _BOX * s):
+            column = view.column(x)
+            if column is None:
+                return []
+            # Below a dart that lies in the way.
+            tops = np.arange(column[1] - _INSIDE, column[0] + 2 * _SHORTEST * s, -2.0)
+            folds = (_fold(chalk, name, view, [(x, y), (x, column[0] + _INSIDE)], _FOLD) for y in tops)
+            found = next((fold for fold in folds if fold), [])
+            if not found:
+                return []
+            pieces += found
+    return pieces
 
 
 def _back_folds(chalk: Chalk, name: str, aside: float) -> list[Trim]:

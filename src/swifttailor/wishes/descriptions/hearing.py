@@ -70,6 +70,7 @@ from swifttailor.wishes.text.spoken_measures import SpokenMeasure, can_measure, 
 from swifttailor.wishes.text.spoken_sides import spoken_sides, without_spans
 from swifttailor.wishes.text.text_as_read import ENGLISH, lacks_of, text_as_read
 from swifttailor.wishes.text.unread import unread_numbers
+from swifttailor.wishes.trims.big_buttons import not_of_buttons, spans_of_big_buttons
 from swifttailor.wishes.trims.button_counts import buttons_stated
 from swifttailor.wording.claim_kinds import fits_kind
 from swifttailor.wording.lexicon import SURENESS, Implication, WordReading, exclude, glossed, read_words
@@ -195,7 +196,10 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
     counted = " ".join(
         [*words.sizes, f"{buttons_stated(text) or ''}", *[text[m.start : m.end] for m in heard]]
     )
-    unread = *words.unknown, *[n for n in unread_numbers(text, changes) if n not in counted]
+    unread = (
+        *not_of_buttons(text, words.unknown),
+        *[n for n in unread_numbers(text, changes) if n not in counted],
+    )
     sure, likely = sure_wishes(found), likely_wishes(found)
     silent = unaccounted(
         words,
@@ -203,7 +207,7 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
         never,
         [m.mention.end for m in measures],
         compared=hem is not None or bool(bounds),
-        told=[*sides.spans, *levels.spans, *spans_of_looks(text, words)],
+        told=[*sides.spans, *levels.spans, *spans_of_looks(text, words), *spans_of_big_buttons(text)],
     )
     return Heard(text, sure, likely, never, (*unread, *silent), lacks_of(words, changes, measures), words)
 

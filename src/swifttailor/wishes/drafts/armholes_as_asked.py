@@ -33,7 +33,7 @@ _RAGLAN = frozenset(
     }
 )
 """Drafts with that option."""
-_IN_ONE = frozenset({"t-shirt", "turtleneck", "cardigan", "sweatshirt", "coat", "shift-dress"})
+_IN_ONE = frozenset({"t-shirt", "turtleneck", "cardigan", "sweatshirt", "coat", "shift-dress", "wrap-top"})
 _DROPPED = frozenset(
     {
         "t-shirt",
@@ -59,10 +59,13 @@ _OF_WINGS: Mapping[str, Mapping[str, float]] = {
     "shift-dress": _OPEN_NECK,
     "sweatshirt": {"chest_ease": 14.0, "neck_widening": 3.0},
     "coat": {"chest_ease": 16.0},
+    "wrap-top": {"chest_ease": 8.0, "neck_widening": 2.5, "back_neck_depth": 4.0},
 }
 """The same of sleeves that are cut in one: a close neckline stands off beside and behind the neck."""
-_WING_CM, _COAT_WING_CM = 18.0, 10.0
+_WING_CM, _WINGS_CM = 18.0, {"coat": 10.0, "wrap-top": 12.0}
 """Where such sleeves begin, cm below the underarm."""
+_KIMONO: Mapping[str, float] = {"sleeve_length": 42.0, "sleeve_end": 33.0}
+"""Such sleeves of tops whose fronts cross, where nothing else is told of them, cm."""
 _TANK, _OF_RACERS = "tank-top", {"strap_width": 3.5, "neck_widening": 1.5, "back_neck_depth": 8.0}
 """Straps of a back that is cut in are at most so wide, and its neck so deep, cm."""
 _RACER_DRESS = {"neck_widening": 1.5, "back_neck_depth": 8.0}
@@ -88,9 +91,10 @@ def armholes_as_asked(draft: NamedDraft, lacks: Sequence[Lack]) -> NamedDraft:
         return draft
     for lack in sorted(lacks, key=lambda each: not each.said):
         if lack.what == CUT_IN_ONE and draft.name in _IN_ONE and not puffed:
-            wing = _COAT_WING_CM if draft.name == "coat" else _WING_CM
+            wing = _WINGS_CM.get(draft.name, _WING_CM)
             roomy = _with_room(options, _OF_WINGS.get(draft.name, {}))
-            return _with(draft, {**roomy, ARMHOLE: "cut-in-one", "wing": wing})
+            own = _KIMONO if draft.name == "wrap-top" else {}
+            return _with(draft, {**own, **roomy, ARMHOLE: "cut-in-one", "wing": wing})
         if lack.what == RACERBACK and draft.name == _TANK:
             narrow = {name: min(float(options.get(name, most)), most) for name, most in _OF_RACERS.items()}
             return _with(draft, {**options, **narrow, RACER: True})

@@ -36,10 +36,9 @@ def close_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     if draft.name in _BUTTONED:
         room, shaping = _BUTTONED[draft.name]
         options["chest_ease"] = min(float(options.get("chest_ease", room)), room)
-        shaping = max(float(options.get("waist_shaping", shaping)), shaping)
-        return replace(
-            draft, options=tuple({**{"waist_shaping": shaping}, **options, "waist_shaping": shaping}.items())
-        )
+        options = {"waist_shaping": shaping, **options}
+        options["waist_shaping"] = max(float(options["waist_shaping"]), shaping)
+        return replace(draft, options=tuple(options.items()))
     if draft.name == "camisole":
         return replace(draft, options=tuple({**options, **_CAMISOLE}.items()))
     if draft.name not in _PULLED_ON:

@@ -20,7 +20,7 @@ _CROPPED: Mapping[str, tuple[str, Mapping[str, float]]] = {
     "cardigan": ("chest_ease", {"cropped": 3.0, "waist": 6.0}),
     "blazer": ("chest_ease", {"cropped": 1.0, "waist": 5.0}),
     **dict.fromkeys(
-        ("t-shirt", "shirt", "turtleneck", "tank-top"), ("chest_ease", {"cropped": -2.0, "waist": 1.0})
+        ("t-shirt", "shirt", "turtleneck", "tank-top"), ("chest_ease", {"cropped": -2.0, "waist": 4.0})
     ),
 }
 """Where the hems of drafts are that are asked to end above the hips, cm below the waist, and their room."""
@@ -60,9 +60,12 @@ _SHAPED_JACKET: Mapping[str, float] = {
     **{"arm_ease": 9.0, "sleeve_end": 25.0},
 }
 """Of jackets on a standing collar that end at the waist, without which their backs hang like capes."""
-_HIGH_HIP_JACKET: Mapping[str, float] = {**_SHAPED_JACKET, "waist_shaping": 2.5, "length": 11.0}
-_PADDED_CM, _BOMBER = 18.0, "bomber-jacket"
-"""Jackets on a standing collar with so much room are padded; where they are short, a band draws them in."""
+_AT_WAIST_CM = 6.0
+"""Where such jackets end that are to end at the waist: arms that are raised lift them above it."""
+_HIGH_HIP_JACKET: Mapping[str, float] = {**_SHAPED_JACKET, "waist_shaping": 2.5, "length": 14.0}
+_PADDED_CM, _BOMBER, _WARM_CM = 18.0, "bomber-jacket", 11.0
+"""Jackets on a standing collar with so much room are padded; where they are short, a band draws them in, and
+arms lift them: those that are to end at the waist are cut so long, cm, that they cover it."""
 _KEPT: Mapping[str, tuple[float, float]] = {
     "chest_ease": (0.0, 11.0),
     "sleeve_length": (12.0, 66.0),
@@ -84,8 +87,8 @@ def cropped_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
         bare = not any(c.name == "sleeves" and c.value != "none" for c in claims)
         draft = NamedDraft("tank-top" if bare else "t-shirt", ())
         claims = [*claims, Claim("top_hem", "cropped")]
-    if _is_padded(draft) and not _SHORT.isdisjoint(claims) and _BARE_ARMS not in claims:
-        draft = _banded(draft)
+    padded = _is_padded(draft) and not _SHORT.isdisjoint(claims) and _BARE_ARMS not in claims
+    draft = _banded(draft) if padded else draft
     if draft.name in _JACKETS and _HIGH_HIP in claims and _SHORT.isdisjoint({*claims} - {_HIGH_HIP}):
         if _is_jacket(draft) and not any(c.name == "fit" and c.value in _LOOSE for c in claims):
             return replace(draft, options=tuple({**dict(draft.options), **_HIGH_HIP_JACKET}.items()))
@@ -107,6 +110,8 @@ def cropped_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     options = {**own, "length": asked[0]}
     if asked[0] == lengths["cropped"] and float(own.get("length", 0.0)) < 0:  # so by name: a sports bra
         options["length"] = min(asked[0], float(own["length"]))
+    if padded and asked[0] > 0:
+        options["length"] = max(asked[0], _WARM_CM)
     if draft.name == "turtleneck" and float(own.get(room, 0.0)) >= _OVER_OTHERS_CM:
         options["length"] = asked[0] + _LIFTED_CM
     if options.get(ARMHOLE) == "cut-in-one":
@@ -114,7 +119,8 @@ def cropped_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     elif draft.name in _BANDED and asked[0] == lengths["cropped"]:
         options |= {k: min(float(options.get(k, most)), most) for k, most in _CROPPED_BANDED.items()}
     elif _is_jacket(draft) and not any(c.name == "fit" and c.value in _LOOSE for c in claims):
-        options = {**options, **_SHAPED_JACKET, "length": asked[0]}
+        length = max(asked[0], _AT_WAIST_CM) if asked[0] > 0 else asked[0]
+        options = {**options, **_SHAPED_JACKET, "length": length}
     elif asked[0] < 0 and draft.name not in _CLOSE_AT_BUST:  # which are close at the bust by themselves
         options[room] = min(float(options.get(room, _CROPPED_EASE_CM)), _CROPPED_EASE_CM)
     return replace(draft, options=tuple(options.items()))

@@ -94,7 +94,7 @@ _OPEN_JACKET = NamedDraft.parse("cardigan(length=22;chest_ease=14;neck_depth=16;
 """Of a jacket whose sleeves are raglan or cut in one, which those of blazers are not."""
 _CLOSINGS = frozenset({"zip", "buttons"})
 _STRAPLESS = ("bandeau", "bustier", "strapless-dress", "strapless-jumpsuit")
-_BUSTIER, _STRAPS = "bustier", ("straps", True)
+_BUSTIER, _STRAPS, _TIED = "bustier", ("straps", True), "shoulder bows"
 _SHAWL = ("lapels", "shawl")
 _SHAWL_CARDIGAN = NamedDraft(
     "blazer", (_SHAWL, ("chest_ease", 13.0), ("waist_shaping", 0.5), ("neck_depth", 28.0))
@@ -128,7 +128,7 @@ def drafts_of(heard: Heard) -> tuple[NamedDraft, ...]:
     fitting = [low_as_asked(draft, sure) for draft in gored_as_said(fitting, heard.text)]
     fitting = [modest_as_asked(draft, heard.words, sure) for draft in fitting]
     fitting = [close_skirt_as_asked(draft, sure, _said_claims(heard)) for draft in fitting]
-    if any(claim.name == "straps" for claim in sure):
+    if any(claim.name == "straps" for claim in sure) or any(_TIED in entry.trims for entry in entries):
         fitting = [_on_straps(draft) for draft in fitting]
         fitting = [draft for draft in fitting if not _is_strapless(draft)] or fitting
     if asks_for_mandarin_collar(entries):

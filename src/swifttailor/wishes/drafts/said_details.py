@@ -40,8 +40,8 @@ _DUNGAREES, _ROOMY = "dungarees", {"hip_ease": 14.0, "leg_ease": 30.0, "flare": 
 _SHOULDERED, _EXTENSION = ("blazer", "coat"), "shoulder_extension"
 _BEYOND = {"shoulder_pads": 4.5, "huge_shoulders": 5.5}
 """How far beyond the shoulder tips jackets reach whose shoulders are padded, or huge, cm."""
-_NIPPED = {"waist_shaping": 3.5}
-"""Of jackets with huge shoulders: they are close at the waist."""
+_NIPPED, _WAIST = {"waist_shaping": 3.5}, Claim("waist_seam", "natural")
+"""Of jackets with huge shoulders, or of which a waist is told: they are close there."""
 _TRAILING, _TRAILS = "trailing_sleeves", ("sleeve_shape", "trailing")
 _MAY_TRAIL = (
     *("robe", "hooded-coat", "shift-dress", "swing-dress", "fitted-dress", "skater-dress", "shirt-dress"),
@@ -56,6 +56,10 @@ _MAY_TRAIL = (
         "cardigan",
     ),
 )
+_ROLLED_SLEEVES, _SHIRTS = "rolled_sleeves", ("shirt", "shirt-dress")
+_ROLLED: Mapping[str, float | bool] = {"sleeve_length": 42.0, "sleeve_end": 32.0, "cuffs": False}
+"""Of long sleeves that are rolled up: to the middle of the lower arm."""
+_ELBOW_CM = 34.0
 _FULL_ABOVE = frozenset({Claim("sleeve_shape", "puffed"), Claim("sleeve_shape", "balloon")})
 """Who asks for these has none that trail, whatever the name of the garment means."""
 _LONG_CM = 58.0
@@ -86,8 +90,12 @@ def with_details(draft: NamedDraft, lacks: Collection[str], claims: Collection[C
     beyond = [reach for what, reach in _BEYOND.items() if what in lacks]
     if beyond and draft.name in _SHOULDERED:
         more[_EXTENSION] = max([*beyond, float(options.get(_EXTENSION, 0.0))])
-    if "huge_shoulders" in lacks and draft.name == "blazer" and _LOOSE.isdisjoint(claims):
+    nipped = "huge_shoulders" in lacks or _WAIST in claims
+    if nipped and draft.name == "blazer" and _LOOSE.isdisjoint(claims):
         more |= _NIPPED
+    rolled = _ROLLED_SLEEVES in lacks and options.get("sleeve_shape", "plain") == "plain"
+    if rolled and draft.name in _SHIRTS and float(options.get("sleeve_length", 60.0)) >= _ELBOW_CM:
+        more |= _ROLLED
     if _TRAILING in lacks and draft.name in _MAY_TRAIL and _FULL_ABOVE.isdisjoint(claims):
         more |= {
             _TRAILS[0]: _TRAILS[1],

@@ -74,6 +74,8 @@ _SLIM_END = 21.0
 _WIDE = {"arm_ease": 18.0, "sleeve_end": 46.0}
 _LONG_WIDE = {"arm_ease": 18.0, "sleeve_shape": "wide"}
 """Of sleeves that are to be wide; long ones so wide all the way would turn around the wrists."""
+_SHORT_WIDE: Mapping[str, float | bool] = {"arm_ease": 10.0, "sleeve_end": 42.0, "cuffs": False}
+"""Of short ones of shirts: cuffs would gather them, and wider tops fold over as puffed ones do."""
 _ENDS: Mapping[float, float] = {16.0: 33.0, 22.0: 33.0, 34.0: 31.0, 44.0: 28.0, 60.0: 24.0, 66.0: 24.0}
 """Width around at the end of plain sleeves of those lengths, cm."""
 _SHIRT_END = 34.0
@@ -114,6 +116,8 @@ def sleeves_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     if shape == "plain":
         long = float(options["sleeve_length"]) >= _LENGTHS["long"] and draft.name not in _WITH_CUFFS
         options |= _LONG_WIDE if long else _WIDE
+        if draft.name == "shirt" and float(options["sleeve_length"]) <= _LENGTHS["elbow"]:
+            options |= _SHORT_WIDE
     if shape == "puffed":
         options["sleeve_end"] = _SLIM_END
     elif shape == "flounced":

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from swifttailor.describing.claims import Claim
 from swifttailor.describing.differences import Gain
 from swifttailor.pattern.trims.names import LIKE_EACH_OTHER, TRIMS
+from swifttailor.wishes.trims.big_buttons import BIG, asks_for_big_buttons
 from swifttailor.wishes.trims.loops_and_stitches import loops_and_stitches
 from swifttailor.wishes.trims.sashes import BIBBED, first_of_kind
 from swifttailor.wishes.trims.three_stripes import THREE, three_as_said
@@ -21,7 +22,7 @@ _POCKETS = tuple(name for name in TRIMS if "pocket" in name)
 _BUTTONS = tuple(name for name in LIKE_EACH_OTHER[0] if "zip" not in name and name != "toggles")
 _ZIPS = ("zip", "half zip", "back zip", "side zip", "fly", "asymmetric zip")
 _BELTS = ("tie belt", "buckle belt", "sash")
-_TOP_PLEATS = ("pleated front", "fine pleats", "neck pleats", "shoulder pleats", "back pleat")
+_TOP_PLEATS = ("pleated front", "fine pleats", "neck pleats", "shoulder pleats", "back pleat", "box pleats")
 _KNEE_RIPS = ("knee rips", "left knee rip", "right knee rip")
 _FRILLS = ("neck frill", "sleeve frills", "hem frill", "front frills", "yoke frill", "shoulder frills")
 TRIMS_OF: Mapping[str, tuple[str, ...]] = {
@@ -41,11 +42,13 @@ TRIMS_OF: Mapping[str, tuple[str, ...]] = {
         "tie belt",
         "sash",
         "neck bow",
+        "nape bow",
         "waist bow",
         "shoulder bows",
         "back bow",
         "back ties",
         "hip knot",
+        "side tie",
     ),
     "braid": ("edging", "piping", "bands", "narrow bands"),
     "lace": ("lace trim", "neck lace"),
@@ -211,6 +214,8 @@ def trims_wanted(heard: Heard, draft: str = "", kind: str = "", *, anew: bool = 
         if lack.what == "second_layer" and not _has_net_skirt(heard):  # a lining, not layers of tulle
             can = own = ()
         said = tuple([name for name in named if name in can])
+        if lack.what == "buttons" and not said and asks_for_big_buttons(heard.text):
+            said = (BIG,)
         if draft in _HOODED:  # that of a hoodie
             said = tuple([_KANGAROO if name == "front pocket" else name for name in said])
         placed = trims_by_place(heard.text, lack.what, kind=kind, draft=draft) if lack.said else ()
@@ -243,6 +248,8 @@ def trims_wanted(heard: Heard, draft: str = "", kind: str = "", *, anew: bool = 
         found.append(TrimWish(_RIBS, False, (("neck rib", "armhole ribs"), ("neck rib",), ("armhole ribs",))))
     if draft == _OPEN_KNIT and any(wish.change == _HEM_BAND for wish in heard.sure):
         found.append(TrimWish(_RIBS, True, (("hem rib",),)))
+    if draft in _FOR_JACKETS and _is_a_jacket(heard):
+        found = [w for w in found if w.said or (w.what, *w.choices[:1]) != ("buttons", ("buttons",))]
     if draft in _FOR_JACKETS and not any(wish.what == "buttons" for wish in found) and _is_a_jacket(heard):
         pocketed = () if any(wish.what == "pockets" for wish in found) else (("buttons", "welt pockets"),)
         found.append(TrimWish("buttons", False, (*pocketed, ("buttons",))))
@@ -353,7 +360,7 @@ def _usual(what: str, kind: str, cloth: str | None, draft: str) -> tuple[tuple[s
     if what in ("belt", "belt_accessory"):
         return (("buckle belt",),) if kind in _LOWER else (("tie belt",), ("buckle belt",))
     if what == "ties":
-        return (("tie belt",),) if draft in _WRAPS else ()
+        return (("side tie",), ("tie belt",)) if draft in _WRAPS else ()
     if what == "apron" and draft == what:
         return ()
     if what == "frills":

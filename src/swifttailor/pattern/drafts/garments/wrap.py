@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Annotated
+from typing import Annotated, Literal
 
 from swifttailor.pattern.drafts import declared
 from swifttailor.pattern.drafts.bodice import LooseBodice, lay_loose_bodice
@@ -20,7 +20,12 @@ from swifttailor.pattern.drafts.fitted_skirt import (
 from swifttailor.pattern.drafts.measurements import Measurements
 from swifttailor.pattern.drafts.neckline import Neckline
 from swifttailor.pattern.drafts.options import Option
-from swifttailor.pattern.drafts.shaped_sleeve import SleeveShapeOption, lay_shaped_sleeve
+from swifttailor.pattern.drafts.shaped_sleeve import (
+    ArmholeCut,
+    SleeveShapeOption,
+    WingOption,
+    lay_shaped_sleeve,
+)
 from swifttailor.pattern.drafts.sleeve import Sleeve
 from swifttailor.pattern.pattern import Pattern
 
@@ -89,6 +94,11 @@ class WrapTopOptions:
     arm_ease: declared.ArmEase = 5.0
     sleeve_end: declared.SleeveEnd = 22.0
     sleeve_shape: SleeveShapeOption = "plain"
+    armhole: Annotated[
+        Literal["set-in", "cut-in-one"],
+        Option("Set-in: sewn to an armhole. Cut-in-one: of the same cloth as front and back, as of kimonos."),
+    ] = "set-in"
+    wing: WingOption = 8.0
 
 
 def draft_wrap_top(options: WrapTopOptions, measurements: Measurements) -> Pattern:
@@ -104,9 +114,7 @@ def draft_wrap_top(options: WrapTopOptions, measurements: Measurements) -> Patte
         waist_shaping=options.waist_shaping,
     )
     lay_loose_bodice(table, figure, bodice)
-    # The fronts cross down to the waist, or to just above the hem of a shorter top.
-    above_hem = min(max(options.length, _ABOVE_HEM), 0.5 * table.length("left_ftorso.side"))
-    _finish_bodice(table, figure, options, above_hem)
+    _finish_bodice(table, figure, options, max(options.length, _ABOVE_HEM), options.armhole, options.wing)
     return table.finish()
 
 
@@ -115,11 +123,15 @@ def _finish_bodice(
     figure: Figure,
     options: WrapDressOptions | WrapTopOptions,
     above_hem: float = 0.0,
+    armhole: ArmholeCut = "set-in",
+    wing: float = 8.0,
 ) -> None:
     """Sets the sleeves in, lays the right half, and lets the fronts cross."""
     if options.sleeves:
         sleeve = Sleeve(options.sleeve_length, options.arm_ease, options.sleeve_end, 0.015)
-        lay_shaped_sleeve(table, figure, options.sleeve_shape, sleeve)
+        lay_shaped_sleeve(table, figure, options.sleeve_shape, sleeve, armhole, wing)
+    # They cross down to the waist, or to just above the hem of a shorter top.
+    above_hem = min(above_hem, 0.5 * table.length("left_ftorso.side"))
     table.mirror()
     table.seam("left_btorso.centre", "right_btorso.centre")
     cross_fronts(table, above_hem)
