@@ -165,6 +165,7 @@ _FLOUNCED = Claim("cuffs", "flounce")
 """Frills of the sleeves, where no others are named."""
 _KANGAROO, _ANY_BIG = "kangaroo pocket", "patch pockets"
 """What "big pockets" are where nothing tells their place."""
+_STRING = "drawstring"
 _DETAILS = "styles"
 """The category of entries that name trims themselves."""
 
@@ -195,9 +196,9 @@ def trims_wanted(heard: Heard, draft: str = "", kind: str = "", *, anew: bool = 
     named = _named(heard)
     kind = heard.kind or kind
     found = []
-    refused = _refused(heard)
+    no_strings = _refuses_strings(heard)
     for lack in heard.lacks:
-        if not lack.said and lack.what in refused:  # pull-on trousers without strings
+        if no_strings and lack.what == _STRING and not lack.said:
             continue
         can = TRIMS_OF.get(lack.what, ())
         own = tuple([name for name in _of_garment(heard) if name in can])
@@ -313,10 +314,10 @@ def _is_worn_beside(heard: Heard, what: str) -> bool:
     return any(draft.name == what for entry in named for draft in entry.drafts)
 
 
-def _refused(heard: Heard) -> frozenset[str]:
-    """What no panel can be cut for, and is denied."""
+def _refuses_strings(heard: Heard) -> bool:
+    """Whether pull-on trousers and the like are to have no drawstring, as they usually have."""
     marks = () if heard.words is None else heard.words.marks
-    return frozenset([key for mark in marks if mark.denied for entry in mark.entries for key in entry.cannot])
+    return any(mark.denied and _STRING in entry.cannot for mark in marks for entry in mark.entries)
 
 
 def _named(heard: Heard) -> tuple[str, ...]:
