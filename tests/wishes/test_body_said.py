@@ -36,7 +36,7 @@ _INCH = 2.54
         ("I'm six foot one, trousers", {"height": 185}),
         ("a dress for someone of five foot two", {"height": 157}),
         ("my son is six foot four, trousers", {"height": 193}),
-        ("I'm 185 cm tall, trousers, inside leg 94 cm", {"height": 185, "inseam": 92.5}),
+        ("I'm 185 cm tall, trousers, inside leg 94 cm", {"height": 185, "inseam": 97.0}),
         ("I'm 185 cm tall, trousers, inside leg 80 cm", {"height": 185}),
         ("chinos 34x32 khaki", {"waist": 34 * _INCH, "inseam": 88.0}),
         ("camisa cuello 42", {"neck": 42}),

@@ -33,7 +33,7 @@ def reader() -> WishReader:
         ("something for a Gatsby party", "flapper dress", "dress"),
         ("smart but not stuffy, for casual friday", "shirt", "top"),
         ("something for a ball", "evening gown", "dress"),
-        ("Old Hollywood", "bias cut gown", "dress"),
+        ("Old Hollywood", "old Hollywood gown", "dress"),
         ("something comfy for a long train journey", "jersey dress", "dress"),
         ("something I can get out of on a sleeper train", "nightshirt", "dress"),
         ("cool for Delhi, covered for temples", "modest maxi dress", "dress"),

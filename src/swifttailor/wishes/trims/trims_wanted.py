@@ -106,7 +106,6 @@ TRIMS_OF: Mapping[str, tuple[str, ...]] = {
     "illusion": ("illusion yoke",),
     "bustle": ("bustle",),
     "hoops": ("hoops",),
-    "swim_skirt": ("outer skirt",),
     "folded_band": ("folded band",),
     "thumb_holes": ("thumb holes",),
     "blouse_front": ("blouse front",),
@@ -140,7 +139,6 @@ _SAID_ALONE = frozenset(
         *("lace", "braid", "apron", "boning", "pleats", "smocking", "ruching", "tucks"),
         *("cut_outs", "draped", "draped_cloth", "yoke", "princess_seams", "scallops"),
         *("train", "overskirt", "tulle_layers", "second_layer", "cups", "cape"),
-        *("illusion", "hoops", "bustle", "swim_skirt"),
     }
 )
 """What is put on only where the text itself asks for it, or a row of the tables has its trim."""
