@@ -47,7 +47,7 @@ ASKED = {
     "cargo trousers": {"cargo pockets", "slant pockets"},
     "joggers with a drawstring": {"drawstring", "elastic waist", "slant pockets", "back pockets"},
     "a skirt with an elastic waist": {"elastic waist"},
-    "trousers with a belt": {"buckle belt"},
+    "trousers with a belt": {"buckle belt", "fly", "slant pockets", "belt loops"},
     "a skirt with a side zip": {"side zip"},
     "a dress with a back zip": {"back zip"},
     "a dress without a zip": set(),
