@@ -153,6 +153,8 @@ class Vocabulary:
         Args:
             parts: In lower case.
         """
+        if not parts:
+            return ()
         key = " ".join(parts)
         found = self.senses.get(key)
         if found is not None:
