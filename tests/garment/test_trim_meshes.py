@@ -58,7 +58,7 @@ STAND_OFF = (
     *("neck frill", "sleeve frills", "hem frill", "hem fringe", "neck bow", "waist bow", "shoulder bows"),
     *("train", "long train", "overskirt", "tulle overskirt", "tulle layers", "peplum", "back cape"),
     *("bustle", "hoops", "outer skirt", "shoulder frills"),
-    *("neck gathers", "cowl folds", "sash", "hip knot", "nape bow", "side tie"),
+    *("neck gathers", "cowl folds", "draped folds", "sash", "hip knot", "nape bow", "side tie"),
     *("stirrups", "frayed hem", "back bow", "back ties", "front frills", "waist frill", "scalloped edge"),
 )
 ON_CLOTH, LIFTED = 0.1, (0.1, 0.8)
