@@ -15,7 +15,7 @@ from swifttailor.pattern.drafts import draft
 from swifttailor.pattern.trims import LIKE_EACH_OTHER, TRIMS, trims_that_fit
 from swifttailor.tailor import Order, Tailor
 from swifttailor.tailor.trimming import trimmed
-from swifttailor.wishes.trims.trims_wanted import TRIMS_OF
+from swifttailor.wishes.trims.trims_of import TRIMS_OF
 from swifttailor.wording import cannot_texts
 
 KNOWN = {"skirt": draft("fitted-skirt"), "shirt": draft("t-shirt"), "trousers": draft("trousers")}

@@ -17,8 +17,9 @@ from swifttailor.wishes.looks.heard_looks import look_refused
 from swifttailor.wishes.looks.ribs import RIBBED
 from swifttailor.wishes.looks.second_colors import second_where_it_fits
 from swifttailor.wishes.trims.button_counts import buttons_stated, usual_buttons
+from swifttailor.wishes.trims.trims_of import TRIMS_OF
 from swifttailor.wishes.trims.trims_spoken_of import refused_trims
-from swifttailor.wishes.trims.trims_wanted import TRIMS_OF, WITHOUT_FLY, is_of_lace, trims_wanted
+from swifttailor.wishes.trims.trims_wanted import WITHOUT_FLY, is_of_lace, trims_wanted
 from swifttailor.wording.lexicon.look_words import MOTIF
 
 _CLOSES_NECKS = ("polo placket", "half zip", "waist placket")

@@ -133,8 +133,7 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
     sides = spoken_sides(text).beside(spoken_faces(text))
     words = without_spans(words, sides.spans)
     said = [m.claim for m in measures if m.claim is not None] + ([] if hem is None else [hem])
-    said += sides.claims
-    said += (bounds := spoken_bounds(text, words, named))
+    said += [*sides.claims, *(bounds := spoken_bounds(text, words, named))]
     known = {claim.name for claim in said}
     levels = spoken_levels(text, words, named).beside(slit_levels(text, words, said))
     said += [claim for claim in levels.claims if claim.name not in known]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from swifttailor.pattern.trims.names import TRIMS
 from swifttailor.wishes.heard import Heard
-from swifttailor.wishes.trims.trims_wanted import TRIMS_OF
+from swifttailor.wishes.trims.trims_of import TRIMS_OF
 from swifttailor.wording.lexicon import WordReading
 
 _DETAILS = "styles"

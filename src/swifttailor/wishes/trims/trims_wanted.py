@@ -2,117 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from swifttailor.describing.claims import Claim
 from swifttailor.describing.differences import Gain
-from swifttailor.pattern.trims.names import LIKE_EACH_OTHER, TRIMS
+from swifttailor.pattern.trims.names import LIKE_EACH_OTHER
 from swifttailor.wishes.trims.big_buttons import BIG, asks_for_big_buttons
 from swifttailor.wishes.trims.loops_and_stitches import loops_and_stitches
 from swifttailor.wishes.trims.sashes import BIBBED, first_of_kind
-from swifttailor.wishes.trims.three_stripes import THREE, three_as_said
+from swifttailor.wishes.trims.three_stripes import three_as_said
 from swifttailor.wishes.trims.trims_by_place import is_elastic_behind, trims_by_place
+from swifttailor.wishes.trims.trims_of import KNEE_RIPS, TRIMS_OF
 
 if TYPE_CHECKING:
     from swifttailor.wishes.heard import Heard
 
-_POCKETS = tuple(name for name in TRIMS if "pocket" in name)
-_BUTTONS = tuple(name for name in LIKE_EACH_OTHER[0] if "zip" not in name and name != "toggles")
-_ZIPS = ("zip", "half zip", "back zip", "side zip", "fly", "asymmetric zip")
-_BELTS = ("tie belt", "buckle belt", "sash")
-_TOP_PLEATS = ("pleated front", "fine pleats", "neck pleats", "shoulder pleats", "back pleat", "box pleats")
-_KNEE_RIPS = ("knee rips", "left knee rip", "right knee rip")
-_FRILLS = ("neck frill", "sleeve frills", "hem frill", "front frills", "yoke frill", "shoulder frills")
-TRIMS_OF: Mapping[str, tuple[str, ...]] = {
-    "pockets": _POCKETS,
-    "buttons": (*_BUTTONS, "back buttons", "fly"),
-    "toggles": ("toggles",),
-    "zip": _ZIPS,
-    "belt": _BELTS,
-    "belt_accessory": _BELTS,
-    "drawstring": ("drawstring", "neck cord", "neck gathers"),
-    "elastic": ("elastic waist", "back elastic"),
-    "turn_ups": ("turn-ups",),
-    "rolled_sleeves": ("sleeve turn-ups",),
-    "french_cuffs": ("sleeve turn-ups",),
-    "padding": ("quilting",),
-    "ties": (
-        "tie belt",
-        "sash",
-        "neck bow",
-        "nape bow",
-        "waist bow",
-        "shoulder bows",
-        "back bow",
-        "back ties",
-        "hip knot",
-        "side tie",
-    ),
-    "braid": ("edging", "piping", "bands", "narrow bands"),
-    "lace": ("lace trim", "neck lace"),
-    "fur": ("neck fur", "fur trim", "sleeve fur"),
-    "side_stripes": ("side stripes", "satin stripes", "sleeve stripes", *THREE),
-    "side_panels": ("side panels",),
-    "frills": _FRILLS,
-    "lacing": ("lacing",),
-    "boning": ("boning",),
-    "tucks": ("tucks",),
-    "rib_bands": ("neck rib", "armhole ribs", "hem rib"),
-    "fringe": ("hem fringe",),
-    "apron": ("apron",),
-    "creases": ("creases",),
-    "stirrups": ("stirrups",),
-    "pleats": ("front pleats", "pleat lines", *_TOP_PLEATS),
-    "open_back": ("back ties", "back buttons", "back lacing"),
-    "back_lacing": ("back lacing",),
-    "asymmetric_closing": ("diagonal closing", "asymmetric zip"),
-    "tulip_sleeves": ("sleeve petals",),
-    "gathers": ("neck gathers", "shoulder gathers"),
-    "reflective": ("reflecting bands",),
-    "storm_flap": ("storm flap",),
-    "smocking": ("smocking",),
-    "ruching": ("ruching",),
-    "draped": ("cowl folds", "draped folds"),
-    "draped_cloth": ("shoulder drape",),
-    "knee_patches": ("knee patches",),
-    "elbow_patches": ("elbow patches",),
-    "cold_shoulder": ("shoulder cut-outs",),
-    "cut_outs": ("waist cut-outs", "back cut-out", "keyhole"),
-    "princess_seams": ("princess seams",),
-    "yoke": ("yoke",),
-    "paperbag": ("waist frill",),
-    "scallops": ("scalloped edge",),
-    "keyhole": ("keyhole",),
-    "keyhole_back": ("back keyhole",),
-    "epaulettes": ("epaulettes",),
-    "arm_slits": ("arm slits",),
-    "raw_hem": ("rips", *_KNEE_RIPS, "frayed hem"),
-    "lettering": ("chest heart", "chest star"),
-    "train": ("train", "long train"),
-    "overskirt": ("overskirt", "tulle overskirt"),
-    "tulle_layers": ("tulle layers",),
-    "second_layer": ("tulle layers",),
-    "cups": ("cups",),
-    "peplum": ("peplum",),
-    "cape": ("back cape",),
-    "topstitching": ("topstitching",),
-    "denim_seams": ("denim seams",),
-    "belt_loops": ("belt loops",),
-    "buckles": ("strap buckles", "kilt edge"),
-    "wrap": ("kilt edge",),
-    "hem_border": ("hem border",),
-    "illusion": ("illusion yoke",),
-    "bustle": ("bustle",),
-    "hoops": ("hoops",),
-    "folded_band": ("folded band",),
-    "thumb_holes": ("thumb holes",),
-    "blouse_front": ("blouse front",),
-    "bust_gathers": ("bust gathers",),
-    "divided": ("outer skirt",),
-}
-"""By key of what cannot be made of panels, which trims can stand for it."""
 _JACKETS = frozenset(
     {
         "blazer",
@@ -328,12 +233,12 @@ def _named(heard: Heard) -> tuple[str, ...]:
 
 def _told_where(named: tuple[str, ...]) -> tuple[str, ...]:
     """The same trims; of rips those alone of which the text says where they are, where it does."""
-    at_knees = tuple([name for name in _KNEE_RIPS if name in named])
+    at_knees = tuple([name for name in KNEE_RIPS if name in named])
     if not at_knees:
         return named
     both = len(at_knees) > 1
-    others = [name for name in named if name not in ("rips", *_KNEE_RIPS)]
-    return (_KNEE_RIPS[0] if both else at_knees[0], *others)
+    others = [name for name in named if name not in ("rips", *KNEE_RIPS)]
+    return (KNEE_RIPS[0] if both else at_knees[0], *others)
 
 
 def _of_garment(heard: Heard) -> tuple[str, ...]:
