@@ -68,7 +68,10 @@ def test_report_and_notes_name_the_draft(tailor):
     ("text", "said"),
     [
         ("a wrap top", ["a seam runs where the edge of the upper front would lie", "fronts that overlap"]),
-        ("a wrap dress", ["a seam runs where the edge of the upper front would lie", "a belt that is tied"]),
+        (
+            "a wrap dress",
+            ["the edge of the upper front would lie", "tied at the left side"],
+        ),
         ("a catsuit", ["Cut smaller than the body, for cloth that stretches by 8%", "a zip"]),
         ("a polo shirt", ["a short front band with buttons", "The slit below its collar is closed"]),
         ("a blazer", ["buttons down the front; two welt pockets"]),

@@ -69,7 +69,7 @@ def assert_on_panels(pattern: Pattern, trims: tuple[Trim, ...]) -> None:
             beside = piece.difference(roomy)
             assert beside.area < 0.01 * piece.area, f"{trim.trim} hangs over {trim.panel}"
         elif isinstance(trim, Bow):
-            assert 4 < trim.width < 30 and 4 < trim.tail < 30
+            assert 2 < trim.width < 30 and 2 < trim.tail < 30, trim
         else:
             assert 0.1 < trim.radius < 2.7
 

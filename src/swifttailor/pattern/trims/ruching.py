@@ -152,7 +152,8 @@ def _draped(chalk: Chalk, name: str, view: FrontView, first: Floats, second: Flo
     runs = np.split(held, np.flatnonzero(np.diff(held) > 1) + 1)
     pieces: list[Trim] = []
     for run in runs:
-        if len(run) < _SHORTEST_RUN:
+        # Both lines may lie on it, and a corner of the neckline between them.
+        if len(run) < _SHORTEST_RUN or not view.carries([*first[run], *second[run][::-1]]):
             continue
         lines = (second[run].tolist(), first[run].tolist())
         folds = chalk.ruled(name, view.panel.name, *lines, is_cut=False, to_the_edge=True)
