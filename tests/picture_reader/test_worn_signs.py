@@ -60,6 +60,13 @@ def test_sleeves_agree_with_arms(read, limbs, told, street):
     assert (found["statements"][LOWER] == before["statements"][LOWER]).all()
 
 
+def test_one_sleeve_alone_stays_what_it_is():
+    before = answers(UPPER, "sleeves", {"left only": 0.9, "long": 0.05})
+    found = with_signs(before, WornSigns(BareLimbs(forearms=-3)), UPPER, street=True)
+    assert likeliest(found, UPPER, "sleeves") == "left only"
+    assert said(found, UPPER, "sleeves")["long"] == pytest.approx(0.1, abs=0.02)
+
+
 @pytest.mark.parametrize(
     ("read", "shins", "seen", "told"),
     [

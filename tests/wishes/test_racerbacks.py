@@ -94,3 +94,15 @@ def test_a_word_for_the_back_gives_way_to_a_name():
         NamedDraft("shift-dress", (("racer", True),)),
     )
     assert one_racer([word, named]) == [named] and one_racer([word]) == [word]
+
+
+def test_straps_of_a_bodysuit_are_as_wide_as_told_where_its_back_is_cut_in():
+    def shoulder(width: float) -> float:
+        pattern = draft("bodysuit", sleeves=False, racer=True, strap_width=width, neck_widening=0.0)
+        panel = pattern.panel("left_ftorso")
+        sewn = [side for one in pattern.stitches for side in one.sides if side.panel == panel.name]
+        highest = max(sewn, key=lambda side: float(panel.chord(side.edge)[:, 1].mean()))
+        return pattern.edge_length(highest)
+
+    assert shoulder(7.0) - shoulder(4.0) == pytest.approx(3.0, abs=0.5)
+    assert shoulder(0.0) == pytest.approx(shoulder(4.0))

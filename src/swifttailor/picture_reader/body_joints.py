@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from swifttailor.picture_reader.said import share_of
 from swifttailor.picture_reader.view import Square
 
-NOSE, EYES, EARS, MOUTH = (0,), (2, 5), (7, 8), (9, 10)
+NOSE, EYES, MOUTH = (0,), (2, 5), (9, 10)
 SHOULDERS, ELBOWS, WRISTS = (11, 12), (13, 14), (15, 16)
 HIPS, KNEES, ANKLES = (23, 24), (25, 26), (27, 28)
 """Of the places that BlazePose tells of somebody's body: left and right."""

@@ -66,15 +66,14 @@ def as_photograph(
         if person is None:
             return replace(of_all, is_photograph=True)
         cut = person.cut_out(pixels)
-        shown = _within(
-            read(cut, whole, chest=person.chest(cut[0]), signs=WornSigns.of(pixels, person, told)), person
-        )
+        signs = WornSigns.of(pixels, person, cut, told)
+        shown = _within(read(cut, whole, chest=person.chest(cut[0]), signs=signs), person)
         return replace(shown, figures="one", is_photograph=True)
     unseen = not of_all.parts or of_all.figures == "none"
     if person is None or (unseen and person.certainty < SURELY_SOMEBODY):
         return None
     cut = person.cut_out(pixels)
-    signs = WornSigns.of(pixels, person, told)
+    signs = WornSigns.of(pixels, person, cut, told)
     shown = read(cut, chest=person.chest(cut[0]), legs=person.legs(cut[0]), signs=signs)
     if not of_all.parts and not says_no_design(shown):
         return None

@@ -251,13 +251,13 @@ class PictureReader:
             signs: What else tells of what is worn.
         """
         pixels, whole = views[0]
-        answers = self.answers_at_frames(views)
+        answers = self._at_frames(views)
         if chest is not None:
-            answers = with_neck(answers, self.answers_at_frames((chest,)))
+            answers = with_neck(answers, self._at_frames((chest,)))
         if legs is None:
             seen = with_legs((whole, kinds_as_worn(answers, BEFORE_PLAIN)), None)
         else:
-            near = self.answers_at_frames(legs) if legs else None
+            near = self._at_frames(legs) if legs else None
             below = worn_below(answers, near, signs.limbs) if signs else None
             nearer = (legs[0][1], kinds_as_worn(near)) if near else None
             seen = with_legs((whole, kinds_as_worn(answers)), nearer, below)
@@ -266,8 +266,7 @@ class PictureReader:
             seen = {k: (at, with_signs(told, signs, k, street=street)) for k, (at, told) in seen.items()}
         return reading_of(answers, whole, seen, pixels.shape[:2], self.parameters)
 
-    def answers_at_frames(self, views: Sequence[View]) -> dict[str, Any]:
-        """The mean of what is said at three frames of each of some views, by names of outputs."""
+    def _at_frames(self, views: Sequence[View]) -> dict[str, Any]:
         frames = [(pixels, scaled(square, k)) for pixels, square in views for k in _SHOP_SCALES]
         looks = [self._look(*frame, None) for frame in frames]
         return mean_of(looks) | {name: looks[0][name] for name in _OF_A_FRAME}

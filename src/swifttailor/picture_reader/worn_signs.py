@@ -19,7 +19,7 @@ from swifttailor.arrays import Pixels
 from swifttailor.picture_reader.bare_limbs import BareLimbs
 from swifttailor.picture_reader.labels import statement_labels
 from swifttailor.picture_reader.person_finder import Person
-from swifttailor.picture_reader.person_halves import LOWER, UPPER, Answers
+from swifttailor.picture_reader.person_halves import LOWER, UPPER, Answers, View
 from swifttailor.picture_reader.said import LEAST_CERTAINTY, share_of
 from swifttailor.picture_reader.worn_heads import COLLARED, WornHeads, views_of
 
@@ -37,15 +37,14 @@ FOREARM_SHARE, UPPER_ARM_SHARE, SHIN_SHARE = 0.8, 0.7, 0.8
 TOLD_SHARE: Mapping[str, float] = MappingProxyType(
     {"sleeves": 0.5, "collar": 2.0, "kind": 1.0, "leg_hem": 0.8}
 )
-"""How much counts what the network of photographs tells: it knows one shop's goods."""
+"""How much counts what the network of photographs tells, which knows the goods of two shops."""
 _BELOW = -2.0
 """Added to the signs that anything apart is worn on the legs, of which each counts as much: the logits of a
 look from near, of seen knees and hips, and of no dress."""
 _LEGS_UNSEEN, _STEEPEST, _SCALE = -3.0, 6.0, 3.0
 """What a look from near says where there is none; logits are cut, and told in this unit."""
-_CUT = 1e-3
-_ODD = 0.01
-"""How sure a word is that the network says nothing of."""
+_CUT, _ODD = 1e-3, 0.01
+"""Nothing is surer than all but the first; and how sure a word is that the network says nothing of."""
 _DRESSES = frozenset({"dress", "jumpsuit", "playsuit"})
 
 
@@ -58,12 +57,19 @@ class WornSigns:
     """Of claims the logarithm of the share of each word (`WornHeads.told`)."""
 
     @staticmethod
-    def of(pixels: Pixels, person: Person, heads: WornHeads | None) -> WornSigns:
-        """Looks at somebody in a picture (h, w, 3)."""
+    def of(pixels: Pixels, person: Person, cut_out: View, heads: WornHeads | None) -> WornSigns:
+        """Looks at somebody.
+
+        Args:
+            pixels: (h, w, 3) sRGB, all of the picture.
+            person: Somebody in it.
+            cut_out: What their `cut_out` gives of it.
+            heads: What has seen nothing but photographs; None: limbs alone tell.
+        """
         limbs = person.limbs(pixels)
         if heads is None:
             return WornSigns(limbs)
-        return WornSigns(limbs, heads.told(views_of(pixels, person.cut_out(pixels), person.joints)))
+        return WornSigns(limbs, heads.told(views_of(pixels, cut_out, person.joints)))
 
 
 def with_signs(answers: Answers, signs: WornSigns, part: int, *, street: bool) -> Answers:
@@ -133,13 +139,18 @@ def _logit(share: float) -> float:
 
 
 def _reweighed(answers: Answers, part: int, claim: str, more: Mapping[str, float]) -> dict[str, Any]:
-    """The answers with other logits of one claim of a part; its words have a sum of one."""
-    which = {word: k for k, (name, word) in enumerate(statement_labels()) if name == claim and word in more}
+    """The answers with other logits of one claim of a part.
+
+    Words that nothing more is known of ("left only", of sleeves) keep theirs, the others have what is left.
+    """
+    words = {word: k for k, (name, word) in enumerate(statement_labels()) if name == claim}
+    which = {word: k for word, k in words.items() if word in more}
     statements: NDArray[np.float64] = np.array(answers["statements"], np.float64)
     said = share_of(statements[part, list(which.values())])
+    left = 1 - share_of(statements[part, [k for word, k in words.items() if word not in more]]).sum()
     said = np.where(said >= LEAST_CERTAINTY, said, _ODD)
     odds = np.log(said / said.sum()) + np.array([more[word] for word in which])
     share = np.exp(odds - odds.max())
-    share = np.clip(share / share.sum(), _CUT, 1 - _CUT)
+    share = np.clip(share / share.sum() * left, _CUT, 1 - _CUT)
     statements[part, list(which.values())] = np.log(share) - np.log1p(-share)
     return dict(answers) | {"statements": statements}

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from swifttailor.pattern.drafts.armholes import RACER_STRAP_CM
 from swifttailor.pattern.drafts.bodice import lay_torso_half, sew_torso, shoulder_tip_x
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.darted_block import SIDE_MINIMUM, DartedBlock
@@ -55,8 +54,6 @@ def lay_fitted_bodice(table: CuttingTable, figure: Figure, shape: FittedBodice) 
         least=_YOKE_SIDE_CM if shape.yoke else SIDE_MINIMUM,
     )
     tip_x = shoulder_tip_x(figure, shape.neckline, shape.shoulder_extension)
-    if shape.racer:
-        tip_x = shape.neckline.start_x(figure) + RACER_STRAP_CM
     tip_x = min(tip_x, min(block.chest.front, block.chest.back) - 1.5)
     neck_x = min(shape.neckline.start_x(figure), tip_x - 3.0)
     for front in (True, False):

@@ -21,7 +21,6 @@ from swifttailor.wishes.drafts.godets_as_asked import godets_as_asked
 from swifttailor.wishes.drafts.gored_drafts import gored_as_said
 from swifttailor.wishes.drafts.hearted_drafts import hearted_as_asked
 from swifttailor.wishes.drafts.huge_skirts import huge_as_said
-from swifttailor.wishes.drafts.jumpsuit_collars import with_shirt_collar
 from swifttailor.wishes.drafts.legs_by_words import ELASTIC, PULLED_ON, legs_as_said
 from swifttailor.wishes.drafts.loosened_drafts import is_to_be_loose, loosened_as_asked
 from swifttailor.wishes.drafts.low_skirts import low_as_asked
@@ -38,6 +37,7 @@ from swifttailor.wishes.drafts.refused_looks import as_not_refused
 from swifttailor.wishes.drafts.ribbed_dresses import is_ribbed_dress
 from swifttailor.wishes.drafts.said_details import with_details
 from swifttailor.wishes.drafts.sailor_collars import asks_for_sailor_collar, with_sailor_collar
+from swifttailor.wishes.drafts.shirt_collars import with_shirt_collar
 from swifttailor.wishes.drafts.short_flounces import short_flounce_as_asked
 from swifttailor.wishes.drafts.straight_edges import straight_as_said
 from swifttailor.wishes.drafts.swimsuits_as_asked import on_a_halter

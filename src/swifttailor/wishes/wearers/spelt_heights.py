@@ -12,7 +12,7 @@ _INCHES = {
 _SPELT = re.compile(
     rf"(?<![\w-])(?P<feet>{'|'.join(_FEET)})[ -](?:foot|feet|ft)"
     rf"(?:[ -](?:and )?(?P<inches>{'|'.join(_INCHES)}|1[01]|\d)(?![\w-]))?"
-    r"(?! (?:square|wide|long|deep|train))\b",
+    r"(?! (?:square|wide|long|deep|train|buttons?|darts?|pockets?|pleats?))\b",
     re.IGNORECASE,
 )
 

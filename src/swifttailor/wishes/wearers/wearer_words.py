@@ -21,6 +21,7 @@ from swifttailor.wishes.wearers.body_said import SaidBody
 from swifttailor.wishes.wearers.body_sizes import hear_size
 from swifttailor.wishes.wearers.grown_girls import with_grown_girls
 from swifttailor.wishes.wearers.not_the_wearer import hide_others, with_finished_chest
+from swifttailor.wishes.wearers.spelt_heights import with_digits
 from swifttailor.wording.lexicon import read_words
 
 PETITE_CM, TALL_CM = {"women": 157.0, "men": 166.0}, {"women": 180.0, "men": 192.0}
@@ -58,19 +59,9 @@ _FEET_AND_INCHES = re.compile(
     re.IGNORECASE,
 )
 """A height in feet and inches: 5'4", "5 foot 4", "5ft4"."""
-_FIGURES_OF: dict[str, int] = {
-    **{"one": 1, "two": 2, "three": 3, "four": 4, "five": 5, "six": 6},
-    **{"seven": 7, "eight": 8, "nine": 9, "ten": 10, "eleven": 11},
-}
-_FEET_IN_WORDS = re.compile(
-    rf"(?<![\w-])(four|five|six)[ -](?:foot|feet|ft)(?:[ -](?:and )?(\d{{1,2}}|{'|'.join(_FIGURES_OF)})(?!\w"
-    r"| (?:button|dart|pocket|pleat)))?",
-    re.IGNORECASE,
-)
-"""The same in words: "six foot one", "nearly six foot"."""
 _PERSON = (
-    r"(?<!\w)(i['’]?m|i am|she['’]?s|he['’]?s|she is|he is|who['’]?s|who is|someone|somebody"
-    r"|(?:a )?(?:wo)?man of)"
+    r"(?<!\w)(i['’]?m|i am|she['’]?s|he['’]?s|who['’]?s|someone|somebody"
+    r"|(?:she|he|who|son|daughter|husband|wife|brother|sister) is|(?:a )?(?:wo)?man of)"
 )
 _ABOUT = r"(?:(?:nearly|almost|over|about|around|just|only|under) )*"
 _FEET = re.compile(
@@ -155,13 +146,7 @@ def _with_metric_heights(text: str) -> str:
     def metric(feet: str, inches: str) -> str:
         return f"{CM_PER_INCH * (12 * int(feet) + int(inches)):.0f} cm tall"
 
-    def figures(found: re.Match[str]) -> str:
-        inches = (found[2] or "").lower()
-        return f"{_FIGURES_OF[found[1].lower()]} ft" + (
-            f" {_FIGURES_OF.get(inches, inches)}" if inches else ""
-        )
-
-    text = _FEET_IN_WORDS.sub(figures, text)
+    text = with_digits(text)
     text = _METRES_AND.sub(r"\1.\2 m", text)
     text = _FEET_AND_INCHES.sub(lambda found: metric(found[1], found[2]), text)
     text = _FEET.sub(lambda found: f"{found[1]} {metric(found[2], '0')}", text)

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import Annotated
 
 from swifttailor.pattern.drafts import declared
+from swifttailor.pattern.drafts.armholes import RACER_STRAP_CM
 from swifttailor.pattern.drafts.band import lay_gathering_leg_cuff, lay_sleeve_cuff
 from swifttailor.pattern.drafts.bodice import sew_centres
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
@@ -36,8 +37,6 @@ _INSET_CM = 1.5
 RacerBack = Annotated[
     bool, Option("Cut the back in between the shoulder blades, where there are no sleeves.")
 ]
-_RACER_STRAP_CM = 5.0
-"""Width of the straps of such a back on the shoulder."""
 
 
 @dataclass(frozen=True)
@@ -352,14 +351,14 @@ def lay_sleeved_bodice(
         figure: The body.
         options: Of its garment.
         neckline: Instead of that of the options.
-        strap: Width of the shoulder where there are no sleeves, cm; 0: nearly all of it.
+        strap: Width of the shoulder where there are no sleeves, cm; 0: nearly all of it, or `RACER_STRAP_CM`.
         yoke: Whether it ends below the arms and has no darts.
         racer: Whether the back is cut in between the shoulder blades, where there are none.
 
     Returns:
         The sewn half widths of its waist, cm.
     """
-    strap = _RACER_STRAP_CM if racer and not strap else strap
+    strap = RACER_STRAP_CM if racer and not strap else strap
     asked = neckline or _neckline(options)
     extension = 0.0 if options.sleeves else -_INSET_CM
     if strap and not options.sleeves:

@@ -14,16 +14,15 @@ _FLATTER = re.compile(
 )
 _SHIRT = {"collar": "shirt", "neck_widening": 1.0, "neck_depth": 10.0}
 """The collar of boiler suits, and the close neck that it stands on, cm."""
-
-
 _DRESS, _SHIRT_COLLAR = "shirt-dress", "shirt_collar"
 _OF_DRESSES = {"collar": "shirt", "neck_depth": 9.0}
+"""The same of dresses, where the key of what they lack is that one."""
 
 
 def with_shirt_collar(draft: NamedDraft, text: str, lacks: Collection[str]) -> NamedDraft:
     """A jumpsuit whose collar is that of a shirt; others, and those of flatter collars, as they are.
 
-    So is a dress of which a collar like that of shirts or polo shirts is asked for in so many words.
+    So is a shirt dress of which a collar like that of shirts or polo shirts is asked for in so many words.
 
     Args:
         draft: As it was asked for otherwise.
