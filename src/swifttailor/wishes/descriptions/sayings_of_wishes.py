@@ -23,7 +23,7 @@ def plainly_wished(text: str) -> str:
     Args:
         text: In any case.
     """
-    return _plain(text, _table().sayings)
+    return _plain(text, _table().any_saying, _table().sayings)
 
 
 def without_asides(text: str) -> str:
@@ -34,11 +34,13 @@ def without_asides(text: str) -> str:
     Args:
         text: In any case.
     """
-    return _plain(text, _table().asides)
+    return _plain(text, _table().any_aside, _table().asides)
 
 
-def _plain(text: str, sayings: Sequence[Saying]) -> str:
+def _plain(text: str, any_of_them: re.Pattern[str], sayings: Sequence[Saying]) -> str:
     lowered = text.lower()
+    if not any_of_them.search(lowered):
+        return text
     for saying in sayings:
         if saying.pattern.search(lowered):
             text = re.sub(saying.pattern.pattern, saying.plain, text, flags=re.IGNORECASE)
