@@ -118,9 +118,12 @@ def _is_named(heard: Heard) -> bool:
 
 
 def _heard_description(text: str, reader: WishReader) -> Heard:
+    typed = text
+    whole = beside(reader.whole, typed, instruction=False)  # nine texts in ten are read as they are typed
     text, words = text_as_read(made_into_a_dress(without_side_remarks(without_asides(first_piece(text)))))
     own, before = text, words
-    whole = beside(reader.whole, own, instruction=False) if words.language == ENGLISH else None
+    if own != typed and before.language == ENGLISH:
+        whole = beside(reader.whole, own, instruction=False)
     if (plain := coats_by_length(plainly_wished(text))) != text:
         text, words = plain, read_words(plain)
     if words.language == ENGLISH and (dress := skirts_of_dresses(text, words)) != text:
@@ -155,7 +158,7 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
         *stated,
         *[w for w in found if not _is_outdone(w, said, never) and w.change not in _changes(stated)],
     )
-    if whole is not None and words.language == ENGLISH:
+    if before.language == words.language == ENGLISH:
         alone = _kind_named_alone(text, words)
         found = described_as_a_whole(
             found,
