@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from swifttailor.body import Body, BodyPart
+from swifttailor.body import Body, BodyPart, body_for
 from swifttailor.body.mannequin import mannequin, smoothed
 from swifttailor.body.surface_distance import SurfaceTree
 
@@ -81,9 +81,38 @@ def test_hollows_are_empty_under_cloth(figure):
     assert (inside > before).all()
 
 
+def wearer(shape):
+    default = Body.default()
+    return Body("own", shape(default.vertices), default.faces, default.vertex_part, default.measurements)
+
+
+def test_it_goes_along_with_the_body(figure):
+    vertices, faces = figure
+    taller = mannequin(wearer(lambda v: v * [1.0, 1.1, 1.0] + [3.0, 0.0, 0.0]))
+    assert np.array_equal(taller[1], faces)
+    assert np.abs(taller[0] - (vertices * [1.0, 1.1, 1.0] + [3.0, 0.0, 0.0])).max() < 0.5
+
+
+@pytest.mark.parametrize("name", ["women EU 50", "men EU 54", "children EU 116"])
+def test_people_of_other_sizes_have_neither_ears_nor_fingers(name):
+    body = body_for(size=name)
+    vertices, faces = mannequin(body)
+    assert sharpness(vertices, faces) < 0.6 * sharpness(body.vertices, body.faces)
+    head = body.vertices[body.vertex_part == BodyPart.HEAD]
+    middle = 0.5 * (head[:, 1].min() + head[:, 1].max())
+    ours = vertices[vertices[:, 1] > middle]
+    assert np.ptp(ours[:, 0]) < 0.95 * np.ptp(head[head[:, 1] > middle, 0])
+    away, _ = body.signed_distance(vertices)
+    limbs = (vertices[:, 1] > FEET) & (np.abs(vertices[:, 0]) < HANDS)
+    assert away[limbs].max() < 3.0 and (away[limbs] > 0.5).mean() < 0.05
+    worn, _ = mannequin(body, body.vertices)
+    away, _ = body.signed_distance(worn)
+    assert (away[limbs] > 0.2).mean() < 0.02
+
+
 def test_another_body_is_smoothed_and_hardly_grows():
     body = Body.default()
-    own = Body("own", body.vertices, body.faces, body.vertex_part, body.measurements)
+    own = Body("own", body.vertices, body.faces[::-1], body.vertex_part, body.measurements)
     vertices, faces = mannequin(own)
     assert np.array_equal(faces, own.faces)
     assert body.signed_distance(vertices)[0].max() < 0.6

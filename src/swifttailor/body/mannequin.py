@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
+from numpy.typing import NDArray
 
 from swifttailor.arrays import Array
 from swifttailor.body.body import Body
@@ -16,6 +17,8 @@ UNIT_CM = 0.01
 _FILE = Path(__file__).with_name("mannequin.npz")
 _NEAR_CM, _FAR_CM = 2.0, 4.0
 """Hollows are emptied where cloth is nearer than the first, and left filled where it is beyond the second."""
+_NEIGHBOURS, _SOFT_CM = 24, 1.0
+"""How many vertices of the default body carry one of its mannequin; how far off their share is halved, cm."""
 _ROUNDS = 60
 _OUTWARD_CM = 0.5
 """A smoothed body of somebody's own fills hollows by at most this much, so that cloth stays outside."""
@@ -26,8 +29,9 @@ _INWARD_CM = 0.4
 def mannequin(body: Body, cloth: Array | None = None) -> tuple[Array, Array]:
     """The surface that stands for a body in pictures.
 
-    The default body has one that is made with care (``scripts/make_mannequin.py``). Any other is smoothed,
-    and pushed out nowhere by more than half a centimetre.
+    The default body has one that is made with care (``scripts/make_mannequin.py``). Of people of other sizes,
+    whose bodies are the default one in another shape, it is carried along. Any other body is smoothed, and
+    pushed out nowhere by more than half a centimetre.
 
     Args:
         body: Who wears the garment.
@@ -37,10 +41,13 @@ def mannequin(body: Body, cloth: Array | None = None) -> tuple[Array, Array]:
     Returns:
         Vertices (n, 3) in cm and faces (m, 3), anticlockwise seen from outside.
     """
-    if body is not Body.default():
+    if body is Body.default():
+        made = _default()
+    elif np.array_equal(body.faces, Body.default().faces):
+        made = _carried_to(body)
+    else:
         surface = smoothed(body.vertices, body.faces)
         return (surface if cloth is None else _under_cloth(surface, body, cloth)), body.faces
-    made = _default()
     if cloth is None or not len(cloth):
         return made.vertices, made.faces
     from scipy.spatial import KDTree
@@ -84,6 +91,32 @@ def _default() -> _Mannequin:
         vertices = stored["vertices"].astype(np.float64) * UNIT_CM
         faces = stored["faces"].astype(np.int32)
         return _Mannequin(vertices, faces, stored["over"] * UNIT_CM, _normals(vertices, faces))
+
+
+@functools.lru_cache(maxsize=4)
+def _carried_to(body: Body) -> _Mannequin:
+    """The mannequin of the default body, moved as that is to become another.
+
+    Bodies differ smoothly, faces and fingers apart, and the mean over neighbours leaves these out.
+    """
+    near, weights = _neighbours()
+    made, default = _default(), Body.default()
+    vertices = made.vertices + np.einsum("nk,nki->ni", weights, (body.vertices - default.vertices)[near])
+    normals, closest = _normals(body.vertices, body.faces), near[:, 0]
+    over = np.einsum("ij,ij->i", vertices - body.vertices[closest], normals[closest])
+    return _Mannequin(
+        vertices, made.faces, np.maximum(over + _INWARD_CM, 0.0), _normals(vertices, made.faces)
+    )
+
+
+@functools.cache
+def _neighbours() -> tuple[NDArray[np.intp], Array]:
+    """(n, k) the vertices of the default body next to each of its mannequin, nearest first; their shares."""
+    from scipy.spatial import KDTree
+
+    away, near = KDTree(Body.default().vertices).query(_default().vertices, k=_NEIGHBOURS)
+    weights = 1 / (away + _SOFT_CM)
+    return near, weights / weights.sum(axis=1, keepdims=True)
 
 
 def smoothed(vertices: Array, faces: Array) -> Array:
