@@ -19,9 +19,9 @@ from typing import Any
 import numpy as np
 import torch
 from numpy.typing import NDArray
-from scipy.optimize import minimize
 from torch import nn
 
+from fitted_regressions import fitted
 from swifttailor.arrays import Array
 from swifttailor.cli.item_progress import ItemProgress
 from swifttailor.data.pictures.photograph_lists import SPLITS, Photograph
@@ -53,7 +53,6 @@ KINDS = ("trousers", "shorts", "skirt")
 RIDGE = {"collar": 3.0, "sleeves": 1.0, "kind": 1.0, "leg_hem": 1.0}
 EVEN = ("collar",)
 """Told as if each of their words were worn as often: in a street other ones are usual than in a shop."""
-LEAST_SPREAD = 0.05
 _HEAD, _COUNTED = ("_conv_head", "_bn1", "_fc"), "num_batches_tracked"
 Features = dict[str, NDArray[np.float32]]
 
@@ -166,34 +165,6 @@ def accepted_words(photograph: Photograph, claim: str, words: tuple[str, ...]) -
     if claim == "collar":
         true = {word if word == "none" else COLLARED for word in true}
     return np.array([word in true for word in words])
-
-
-def fitted(signs: Array, accepted: NDArray[np.bool_], ridge: float) -> Array:
-    """Weights (n + 1, words) of a multinomial logistic regression, its summands last.
-
-    Args:
-        signs: (photographs, n).
-        accepted: (photographs, words) which words may be true; the sum of their shares is to be large.
-        ridge: Of the weights, for signs of unit length.
-    """
-    middle, spread = signs.mean(axis=0), (signs.std(axis=0) + LEAST_SPREAD) * np.sqrt(signs.shape[1])
-    extended = np.column_stack([(signs - middle) / spread, np.ones(len(signs))])
-    shape = extended.shape[1], accepted.shape[1]
-
-    def loss(flat: Array) -> tuple[float, Array]:
-        weights = flat.reshape(shape)
-        logits = extended @ weights
-        shares = np.exp(logits - np.logaddexp.reduce(logits, axis=1, keepdims=True))
-        right = (shares * accepted).sum(axis=1)
-        slope = extended.T @ (shares - shares * accepted / right[:, None])
-        slope[:-1] += ridge * weights[:-1]
-        return float(-np.log(right).sum() + ridge / 2 * (weights[:-1] ** 2).sum()), slope.ravel()
-
-    best = minimize(loss, np.zeros(shape).ravel(), jac=True, method="L-BFGS-B", options={"maxiter": 500})
-    weights = best.x.reshape(shape)
-    weights[-1] -= (middle / spread) @ weights[:-1]
-    weights[:-1] /= spread[:, None]
-    return np.asarray(weights)
 
 
 if __name__ == "__main__":

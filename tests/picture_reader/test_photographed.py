@@ -138,6 +138,21 @@ def test_drawn_people_are_never_cut_out(street):
     assert not finder.looked
 
 
+@pytest.mark.parametrize("real", [True, False])
+def test_what_looks_like_a_photograph_is_one_whatever_is_read_of_it(street, real):
+    asked = []
+
+    def looks_real():
+        asked.append(True)
+        return real
+
+    of_all, finder = replace(ALL, parts=SURE), Finder(0.99)
+    found = as_photograph((street, WHOLE), of_all, finder, lambda *_, **__: CUT, None, looks_real)
+    assert (found is not None and found.is_photograph) == real and asked
+    asked.clear()
+    assert as_photograph((street, WHOLE), ALL, finder, lambda *_, **__: CUT, None, looks_real) and not asked
+
+
 @pytest.mark.parametrize("sure", [0.7, 0.9])
 @pytest.mark.parametrize("parts", [(), VAGUE, SURE])
 def test_where_nothing_is_seen_of_all_of_it_the_cut_out_tells(street, sure, parts):

@@ -110,6 +110,28 @@ def test_hems_of_legs_agree_with_what_photographs_look_like():
     assert likeliest(with_signs(before, WornSigns(), LOWER, street=True), LOWER, "leg_hem") == "ankle"
 
 
+def test_legs_in_a_street_are_mostly_straight():
+    read = {"slim": 0.6, "tapered": 0.2, "straight": 0.1}
+    before = answers(LOWER, "legs", read)
+    found = with_signs(before, WornSigns(), LOWER, street=True)
+    assert likeliest(found, LOWER, "legs") == "straight"
+    assert sum(said(found, LOWER, "legs").values()) == pytest.approx(0.9, abs=0.03)
+    assert likeliest(with_signs(before, WornSigns(), LOWER, street=False), LOWER, "legs") == "slim"
+    sure = answers(LOWER, "legs", {"wide": 0.97})
+    assert likeliest(with_signs(sure, WornSigns(), LOWER, street=True), LOWER, "legs") == "wide"
+
+
+def test_a_skirt_gets_no_legs():
+    found = with_signs(answers(LOWER, "kind", {"skirt": 0.95}), WornSigns(), LOWER, street=True)
+    assert sum(said(found, LOWER, "legs").values()) < 0.05
+
+
+def test_clothes_in_a_street_are_mostly_easy():
+    for part, read in ((UPPER, {"loose": 0.6, "easy": 0.2}), (LOWER, {"close": 0.6, "easy": 0.3})):
+        found = with_signs(answers(part, "fit", read), WornSigns(), part, street=True)
+        assert likeliest(found, part, "fit") == "easy"
+
+
 def test_who_shows_legs_wears_something_on_them():
     top = answers(UPPER, "kind", {"top": 0.9})
     dress = answers(UPPER, "kind", {"dress": 0.95})

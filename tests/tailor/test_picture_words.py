@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from scripted_maker import scripted_maker
@@ -51,6 +53,28 @@ def test_what_was_read_is_said_as_people_ask_for_it(part, said, words, details):
     if details is not None:
         assert in_words(reading, named=True) == details
     assert in_words(reading, frozenset({"neckline"})) == in_words(reading).replace(", V neck", "")
+
+
+@pytest.mark.parametrize(
+    ("called", "said", "words"),
+    [
+        ("Shirt", {"sleeves": ("short", 0.9), "collar": ("lapel", 0.8)}, "shirt, short-sleeved"),
+        ("Blazer", {"sleeves": ("long", 0.9), "top_hem": ("long", 0.9)}, "long blazer"),
+        ("Outwear", {"sleeves": ("none", 0.9)}, "jacket, sleeveless"),
+        (
+            "Longsleeve",
+            {"sleeves": ("long", 0.9), "collar": ("turtleneck", 0.8)},
+            "roll neck top, long-sleeved",
+        ),
+        ("Shirt", {"kind": ("dress", 0.95)}, "dress"),
+    ],
+)
+def test_what_photographs_are_called_outweighs_details(called, said, words):
+    part = replace(seen("upper", TOP | said), called=called)
+    assert in_words(part) == words
+    assert in_words(replace(seen("lower", {}), called=called)) == "trousers"
+    heard = hear_description(words, WishReader.load())
+    assert heard.kind == ("dress" if words == "dress" else "top") and not heard.unread
 
 
 @pytest.mark.parametrize(

@@ -43,6 +43,7 @@ def as_photograph(
     people: Callable[[], PersonFinder] | None,
     read: Callable[..., PictureReading],
     heads: Callable[[], WornHeads] | None = None,
+    looks_real: Callable[[], bool] = lambda: False,
 ) -> PictureReading | None:
     """What a photograph of people shows: of the surest of them, cut out; before a plain ground as it is, too.
 
@@ -53,11 +54,12 @@ def as_photograph(
         read: Reads one or more views of the picture, each pixels and a square; the first tells where things
             are. `chest` and `legs` are looked at from nearer, `signs` are other witnesses.
         heads: Gives what has seen nothing but photographs.
+        looks_real: Whether the picture looks like a photograph; asked where `of_all` tells of none.
 
     Returns:
         None where it is none, or nobody can be cut out.
     """
-    if of_all.parts and not says_no_design(of_all):
+    if of_all.parts and not says_no_design(of_all) and not looks_real():
         return None
     pixels, _ = whole
     person = people().find(pixels) if people else None

@@ -26,10 +26,12 @@ from swifttailor.picture_reader.labels import (
     labels_checksum,
     statement_labels,
 )
+from swifttailor.picture_reader.laid_heads import LaidHeads, name_told, with_told
 from swifttailor.picture_reader.panel_kinds import PANEL_KINDS
 from swifttailor.picture_reader.people_wear import as_people_wear
 from swifttailor.picture_reader.person_finder import PersonFinder
 from swifttailor.picture_reader.person_halves import View, mean_of, with_legs, with_neck
+from swifttailor.picture_reader.photograph_head import LEAST_LOGIT, PhotographHead
 from swifttailor.picture_reader.photographed import as_photograph, says_no_design, surely_somebody
 from swifttailor.picture_reader.plain_pictures import one_colour_around
 from swifttailor.picture_reader.reading import PictureReading
@@ -110,6 +112,11 @@ class PictureReader:
     """Gives what cuts people out of their photographs."""
     heads: Callable[[], WornHeads] | None = None
     """Gives what has seen nothing but photographs, and tells a few claims of somebody who is cut out."""
+    photograph_head: Callable[[], PhotographHead] | None = None
+    """Gives another that tells photographs from drawings, where the one in `shop` sees a drawing."""
+    laid_heads: Callable[[], LaidHeads] | None = None
+    """Gives what has seen nothing but photographs, and tells a few claims of what this network reads; of that
+    for garments that nobody wears."""
     parameters: tuple[ReadParameter, ...] = ()
     """Design parameters that it reads."""
     near_designs: bool = False
@@ -152,12 +159,16 @@ class PictureReader:
             plain = SHIPPED_PLAIN if plain is None else plain
             laid = SHIPPED_LAID if laid is None else laid
             shop = SHIPPED_SHOP if shop is None else shop
+        heads = cache(lambda: WornHeads.load(threads=threads))
         if laid:
-            reader = replace(reader, laid=cache(lambda: PictureReader._opened(laid, threads)))
+            told = cache(lambda: LaidHeads.load(heads().trunk, threads=threads))
+            of_laid = cache(lambda: replace(PictureReader._opened(laid, threads), laid_heads=told))
+            reader = replace(reader, laid=of_laid)
         if shop:
             people = cache(lambda: PersonFinder.load(threads=threads))
             reader = replace(reader, shop=cache(lambda: PictureReader._opened(shop, threads)), people=people)
-            reader = replace(reader, heads=cache(lambda: WornHeads.load(threads=threads)))
+            told_apart = cache(lambda: PhotographHead.load(heads().trunk, threads=threads))
+            reader = replace(reader, heads=heads, photograph_head=told_apart)
         if not plain:
             return reader
         whole, *details = plain
@@ -206,15 +217,25 @@ class PictureReader:
         height, width = pixels.shape[:2]
         side = max(height, width)
         whole = ((width - side) // 2, (height - side) // 2, side)
-        first = self._look(pixels, whole, None)
+        told = {} if self.laid_heads is None else self.laid_heads().told(pixels, whole)
+        first = with_told(self._look(pixels, whole, None), told)
         nearer = self._looking_nearer(pixels, whole)
         laid = nearer is self and self.laid is not None and self.laid()._knows(pixels, whole, LEAST_LAID)
+        looks_real = self._looks_real(pixels, whole)
         if laid and self.laid is not None and not surely_somebody(pixels, self.people):
-            return replace(self.laid().read(pixels), is_laid=True)
+            return replace(self.laid().read(pixels), is_laid=True, is_photograph=looks_real())
         is_photograph = False
         if nearer is self and self.shop is not None:
             of_all = self.shop().at_frames((pixels, whole))
-            read = as_photograph((pixels, whole), of_all, self.people, self.shop().at_frames, self.heads)
+            shop = self.shop()
+            read = as_photograph(
+                (pixels, whole),
+                of_all,
+                self.people,
+                shop.at_frames,
+                self.heads,
+                self._looks_real(pixels, whole),
+            )
             if read is not None:
                 return read
             is_photograph = says_no_design(of_all) and of_all.figures != "none"
@@ -230,10 +251,18 @@ class PictureReader:
                 answers = nearer._nearer(pixels, part, square, whole, first, lookers)
                 if nearer is self and self.plain is not None:
                     answers = as_people_wear(answers, self.parameters)
+                answers = with_told(answers, told)
                 seen[part] = square, answers
                 waiting += [(k, *seen[part]) for k in parts_present(seen[part][1])]
         read = reading_of(first, whole, seen, (height, width), nearer.parameters)
+        if called := name_told(told):
+            read = replace(read, parts=tuple(replace(part, called=called) for part in read.parts))
         return replace(read, is_plain=nearer is not self, is_photograph=is_photograph)
+
+    def _looks_real(self, pixels: Pixels, whole: Square) -> Callable[[], bool]:
+        """Tells whether a picture looks like a photograph."""
+        head = self.photograph_head
+        return lambda: head is not None and head().logit(pixels, whole) >= LEAST_LOGIT
 
     def at_frames(
         self,

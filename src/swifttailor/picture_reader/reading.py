@@ -82,6 +82,9 @@ class PartReading:
     """The same and more, of the square that was looked at."""
     design: SeenDesign | None = None
     """Where the network reads design parameters."""
+    called: str = ""
+    """What clothes that nobody wears are called in photographs that a network has learnt from: "Shirt"; where
+    it is sure of that."""
 
     def certainty_of(self, claim: str, word: str) -> float:
         """How sure a statement is; 0 where it is not among those that were read."""
@@ -107,7 +110,7 @@ class PictureReading:
     """Whether nobody wears what it shows; a network reads it that knows no others."""
 
     is_photograph: bool = False
-    """Whether it is seen to be no drawing; of clothes that nobody wears that is not asked."""
+    """Whether it is seen to be no drawing."""
 
     @property
     def face(self) -> str:

@@ -10,17 +10,16 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from types import MappingProxyType
-from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from swifttailor.arrays import Pixels
 from swifttailor.picture_reader.bare_limbs import BareLimbs
 from swifttailor.picture_reader.labels import statement_labels
 from swifttailor.picture_reader.person_finder import Person
 from swifttailor.picture_reader.person_halves import LOWER, UPPER, Answers, View
-from swifttailor.picture_reader.said import LEAST_CERTAINTY, share_of
+from swifttailor.picture_reader.reweighing import reweighed
+from swifttailor.picture_reader.said import share_of
 from swifttailor.picture_reader.worn_heads import COLLARED, WornHeads, views_of
 
 FOREARMS: Mapping[str, float] = MappingProxyType(
@@ -31,7 +30,9 @@ SHINS: Mapping[str, float] = MappingProxyType({"trousers": 0, "shorts": 1, "skir
 """How bare limbs are with sleeves or kinds of these words; covered (0) with others."""
 SLEEVES_USUAL: Mapping[str, float] = MappingProxyType({"three-quarter": -1.0})
 COLLARS_USUAL: Mapping[str, float] = MappingProxyType({"stand": 0.0, "turtleneck": -1.0, "lapel": 2.0})
-"""Logarithm of how much oftener something is worn than the network thinks; collars in a street."""
+LEGS_USUAL: Mapping[str, float] = MappingProxyType({"straight": 3.0})
+FITS_USUAL: Mapping[int, Mapping[str, float]] = MappingProxyType({UPPER: {"easy": 2.0}, LOWER: {"easy": 1.0}})
+"""Logarithm of how much oftener something is worn than the network thinks; all but sleeves in a street."""
 FOREARM_SHARE, UPPER_ARM_SHARE, SHIN_SHARE = 0.8, 0.7, 0.8
 """How much counts what limbs tell: of each the pieces that are looked at are no independent witnesses."""
 TOLD_SHARE: Mapping[str, float] = MappingProxyType(
@@ -43,8 +44,8 @@ _BELOW = -2.0
 look from near, of seen knees and hips, and of no dress."""
 _LEGS_UNSEEN, _STEEPEST, _SCALE = -3.0, 6.0, 3.0
 """What a look from near says where there is none; logits are cut, and told in this unit."""
-_CUT, _ODD = 1e-3, 0.01
-"""Nothing is surer than all but the first; and how sure a word is that the network says nothing of."""
+_CUT = 1e-3
+"""Nothing is surer than all but this."""
 _DRESSES = frozenset({"dress", "jumpsuit", "playsuit"})
 
 
@@ -82,6 +83,9 @@ def with_signs(answers: Answers, signs: WornSigns, part: int, *, street: bool) -
         street: Whether there is no plain ground behind them.
     """
     limbs, told = signs.limbs, signs.told
+    if street:
+        answers = _as_usual(answers, part, "fit", FITS_USUAL[part])
+        answers = _as_usual(answers, part, "legs", LEGS_USUAL)
     if part == UPPER:
         sleeves = {
             word: FOREARM_SHARE * bare * limbs.forearms
@@ -90,23 +94,29 @@ def with_signs(answers: Answers, signs: WornSigns, part: int, *, street: bool) -
             + _told(told, "sleeves", word)
             for word, bare in FOREARMS.items()
         }
-        answers = _reweighed(answers, UPPER, "sleeves", sleeves)
+        answers = reweighed(answers, UPPER, "sleeves", sleeves)
         if "collar" in told:
             # It tells whether there is any; of which the network that reads says more.
             collars = {
                 word: (COLLARS_USUAL[word] if street else 0) + _told(told, "collar", COLLARED)
                 for word in COLLARS_USUAL
             }
-            answers = _reweighed(answers, UPPER, "collar", collars | {"none": _told(told, "collar", "none")})
+            answers = reweighed(answers, UPPER, "collar", collars | {"none": _told(told, "collar", "none")})
         return answers
     kinds = {
         word: SHIN_SHARE * bare * limbs.shins + _told(told, "kind", word) for word, bare in SHINS.items()
     }
-    answers = _reweighed(answers, LOWER, "kind", kinds)
+    answers = reweighed(answers, LOWER, "kind", kinds)
     if "leg_hem" in told:
         hems = {word: _told(told, "leg_hem", word) for word in told["leg_hem"]}
-        answers = _reweighed(answers, LOWER, "leg_hem", hems)
+        answers = reweighed(answers, LOWER, "leg_hem", hems, certain=False)
     return answers
+
+
+def _as_usual(answers: Answers, part: int, claim: str, usual: Mapping[str, float]) -> Answers:
+    words = [word for name, word in statement_labels() if name == claim]
+    more = {word: usual.get(word, 0.0) for word in words}
+    return reweighed(answers, part, claim, more, certain=False)
 
 
 def _told(told: Mapping[str, Mapping[str, float]], claim: str, word: str) -> float:
@@ -136,21 +146,3 @@ def worn_below(answers: Answers, nearer: Answers | None, limbs: BareLimbs) -> fl
 def _logit(share: float) -> float:
     share = min(max(share, _CUT), 1 - _CUT)
     return float(np.log(share) - np.log1p(-share))
-
-
-def _reweighed(answers: Answers, part: int, claim: str, more: Mapping[str, float]) -> dict[str, Any]:
-    """The answers with other logits of one claim of a part.
-
-    Words that nothing more is known of ("left only", of sleeves) keep theirs, the others have what is left.
-    """
-    words = {word: k for k, (name, word) in enumerate(statement_labels()) if name == claim}
-    which = {word: k for word, k in words.items() if word in more}
-    statements: NDArray[np.float64] = np.array(answers["statements"], np.float64)
-    said = share_of(statements[part, list(which.values())])
-    left = 1 - share_of(statements[part, [k for word, k in words.items() if word not in more]]).sum()
-    said = np.where(said >= LEAST_CERTAINTY, said, _ODD)
-    odds = np.log(said / said.sum()) + np.array([more[word] for word in which])
-    share = np.exp(odds - odds.max())
-    share = np.clip(share / share.sum() * left, _CUT, 1 - _CUT)
-    statements[part, list(which.values())] = np.log(share) - np.log1p(-share)
-    return dict(answers) | {"statements": statements}

@@ -74,6 +74,16 @@ _SKIRTS: Mapping[str, str] = MappingProxyType(
         "tiered": "tiered",
     }
 )
+_CALLED: Mapping[str, tuple[str, frozenset[str]]] = MappingProxyType(
+    {
+        "Shirt": ("shirt", frozenset({"neckline"})),
+        "Polo": ("polo shirt", frozenset({"neckline"})),
+        "Blazer": ("blazer", frozenset({"neckline", "sleeves"})),
+        "Outwear": ("jacket", frozenset({"neckline"})),
+        "Hoodie": ("hoodie", frozenset({"neckline", "sleeves"})),
+    }
+)
+"""What clothes are by what photographs of such are called, and which claims that says."""
 _HEMS: Mapping[str, tuple[str, Mapping[str, str]]] = MappingProxyType(
     {
         "top": ("top_hem", _TOP_HEMS),
@@ -119,6 +129,8 @@ def in_words(
         words = [_SKIRT_HEMS.get(said.get("skirt_hem", "")), _SKIRTS.get(said.get("skirt", ""))]
         return _joined(words, "" if named else kind)
     noun, told = _upper_noun(kind, said)
+    if kind in ("top", "tunic"):
+        noun, told = _CALLED.get(part.called, (noun, told))
     if over and kind == "dress" and said.get("sleeves", "long") in _OF_COATS:
         noun, told = "coat", frozenset({"neckline", "sleeves"})
     hem_name, hems = _HEMS[kind]

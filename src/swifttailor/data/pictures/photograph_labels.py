@@ -95,7 +95,7 @@ KINDS: Mapping[str, PhotographKind] = MappingProxyType(
         ),
         "Shirt": _top(
             {"hood": ("none",), **_NOT_BARE},
-            {"sleeves": ("none", "cap", "short", "elbow", *_LONG), "collar": ("stand", "lapel", "none")},
+            {"sleeves": ("none", "cap", "short", "elbow", *_LONG), "collar": ("stand", "lapel")},
         ),
         "Polo": _top(
             {"hood": ("none",), "sleeves": ("short",), **_NOT_BARE},

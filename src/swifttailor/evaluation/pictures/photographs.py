@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from swifttailor.tailor import Tailor
     from swifttailor.tailor.order import Part
 
-TOLD = ("kind", "sleeves", "hood", "collar", "neckline", "top_hem", "skirt_hem", "leg_hem")
+TOLD = ("kind", "fit", "sleeves", "hood", "collar", "neckline", "top_hem", "skirt_hem", "leg_hem", "legs")
 """Claims that are compared, of kinds of which they are known."""
 PARTS_RIGHT, NOTHING, ONE = "parts", "nothing", "one"
 
