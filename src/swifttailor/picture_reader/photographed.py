@@ -12,9 +12,11 @@ from swifttailor.picture_reader.leg_joints import LegJoints
 from swifttailor.picture_reader.person_finder import Person, PersonFinder
 from swifttailor.picture_reader.plain_pictures import mostly_one_colour_around
 from swifttailor.picture_reader.reading import PictureReading
+from swifttailor.picture_reader.said import LEAST_PRESENT
 from swifttailor.picture_reader.seen_hems import with_hems_near_knees
 from swifttailor.picture_reader.view import Square
 from swifttailor.picture_reader.worn_heads import WornHeads
+from swifttailor.picture_reader.worn_regions import on_their_places
 from swifttailor.picture_reader.worn_signs import WornSigns
 
 MOST_DESIGNED = 0.255
@@ -87,6 +89,8 @@ def as_photograph(
 def _within(read: PictureReading, person: Person) -> PictureReading:
     """What is worn is nowhere but where somebody is, and what hangs over trousers hides them."""
     masks = {part.part: part.mask * person.mask for part in read.parts}
+    hood = any(part.certainty_of("hood", "hood") > LEAST_PRESENT for part in read.parts)
+    masks = on_their_places(masks, person.mask, person.joints, hood=hood)
     if len(masks) == 2:
         shown = np.where(masks["upper"] > 0.5, np.float32(0), masks["lower"])
         if (shown > 0.5).sum() > _LEAST_LEFT * (masks["lower"] > 0.5).sum():
