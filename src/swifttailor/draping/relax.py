@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from functools import partial
 from dataclasses import replace
 
 import numpy as np
@@ -11,6 +12,7 @@ from swifttailor.arrays import Floats
 from swifttailor.body import Body
 from swifttailor.draping.fabric import Fabric
 from swifttailor.draping.simulation import SimulationSettings, fall, grow, smooth_down
+from swifttailor.draping.tied import Tie
 from swifttailor.draping.worn_garment import worn_garment
 from swifttailor.errors import SimulationError
 from swifttailor.garment.garment import Garment
@@ -25,6 +27,8 @@ GROWING_SUBSTEPS = 12
 """While cloth grows nothing hangs yet, so fewer do: what falls afterwards gets its lengths there."""
 CONTACT_INTERVAL = 6
 """Searches for contacts are a third of the time; a drape, which falls for longer, makes one in 5 substeps."""
+TIGHT_AFTER = 0.6
+"""In this part of the time a belt is drawn tight."""
 DAMPING = 4.0
 """Per second, as in the third second of a drape: what falls slowly does not pass through itself."""
 
@@ -38,6 +42,7 @@ def relax(
     smoothed: int = 0,
     grown_from: Floats | None = None,
     carefully: bool = False,
+    tie: Tie | None = None,
     progress: StageProgress | None = None,
 ) -> Garment:
     """Lets a garment fall for a short while, from where it is; it need not come to rest (see `finish`).
@@ -51,6 +56,7 @@ def relax(
         grown_from: (v, 3) where its cloth lies smoothly but too short, cm: it grows to its lengths from there
             before it falls, in `GROWING_FRAMES`.
         carefully: Whether it takes as many substeps and searches for contacts as a drape, all the time.
+        tie: What draws it in at the waist while it falls.
         progress: Called with the stage's name and the share of it that is done.
 
     Returns:
@@ -72,7 +78,7 @@ def relax(
         grow(simulation, GROWING_FRAMES, say, SUBSTEPS if carefully else GROWING_SUBSTEPS)
     if smoothed:
         smooth_down(simulation, smoothed, worn.body.measurements.armpit_level, say)
-    fall(simulation, frames, DAMPING, say)
+    fall(simulation, frames, DAMPING, say, None if tie is None else partial(_tied, tie))
     if not np.isfinite(simulation.positions).all():
         raise SimulationError(
             "The cloth moved to infinity while it was relaxed. Drape the pattern instead: swifttailor drape "
@@ -81,3 +87,8 @@ def relax(
     seconds = garment.report.get("seconds", {}) | {"relaxing": round(time.perf_counter() - started, 4)}
     report = garment.report | {"relaxed_frames": frames, "fabric": worn.fabric.name, "seconds": seconds}
     return replace(garment, vertices=simulation.positions, report=report)
+
+
+def _tied(tie: Tie, simulation: Simulation, share: float) -> None:
+    """Draws a belt tight in the first part of the time: afterwards cloth settles in it."""
+    tie.draw_in(simulation, min(share / TIGHT_AFTER, 1.0))

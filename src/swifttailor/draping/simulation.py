@@ -245,8 +245,22 @@ def settle(simulation: Simulation, progress: StageProgress) -> tuple[int, bool]:
     return s.max_frames, False
 
 
-def fall(simulation: Simulation, frames: int, damping: float, progress: StageProgress) -> None:
-    """Lets the garment hang for a while, whether it comes to rest or not; necklines stay held."""
+def fall(
+    simulation: Simulation,
+    frames: int,
+    damping: float,
+    progress: StageProgress,
+    draw_in: Callable[[Simulation, float], None] | None = None,
+) -> None:
+    """Lets the garment hang for a while, whether it comes to rest or not; necklines stay held.
+
+    Args:
+        simulation: Of a garment that is worn already.
+        frames: For so many sixtieths of a second.
+        damping: Per second.
+        progress: Called with the name of the stage and the share of it that is done.
+        draw_in: Called after every frame with the share of the time that is over, to move what a belt holds.
+    """
     simulation.hold()
     for k in range(frames):
         simulation.frame(
@@ -257,6 +271,8 @@ def fall(simulation: Simulation, frames: int, damping: float, progress: StagePro
             max_speed=_FALLING_SPEED,
             long_edges=k < 15,
         )
+        if draw_in is not None:
+            draw_in(simulation, (k + 1) / frames)
         progress("relaxing", (k + 1) / frames)
 
 

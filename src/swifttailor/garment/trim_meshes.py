@@ -35,6 +35,7 @@ _QUILTING_LIFT = 0.14
 """Stitches through wadding lie deeper than those on top of pockets."""
 _BUTTON_LIFT, _BUTTON_HEIGHT = 0.34, 0.22
 _BELT_LIFT, _BELT_SIDES, _BELT_REACH = 0.5, 96, 2.5
+_LEAST_REACH = 1.5
 _KEEPS_TO = 0.002
 """By how much narrower, per cm, the cloth must be elsewhere for a belt to slip there."""
 _WAISTED = 0.97
@@ -201,8 +202,11 @@ def _button(garment: Garment, button: Button) -> TrimMesh:
 
 def _belt(garment: Garment, belt: Belt) -> list[TrimMesh]:
     """A band stretched around the cloth at its height, with what closes it in front."""
-    heights = _waist(garment, belt) + belt.width * np.array([-0.5, 0.0, 0.5])
-    rings = [_around(garment, height) for height in heights]
+    heights = belt_height(garment, belt) + belt.width * np.array([-0.5, 0.0, 0.5])
+    if belt.reach:  # cloth that is tied stands out above and below, and the belt does not
+        rings = [_around(garment, heights[1], max(0.4 * belt.width, _LEAST_REACH))] * len(heights)
+    else:
+        rings = [_around(garment, height) for height in heights]
     if any(ring is None for ring in rings):
         return []
     rows = [ring for ring in rings if ring is not None]
@@ -227,7 +231,7 @@ def _belt(garment: Garment, belt: Belt) -> list[TrimMesh]:
     return [band, *_knot(garment, belt, front)]
 
 
-def _waist(garment: Garment, belt: Belt) -> float:
+def belt_height(garment: Garment, belt: Belt) -> float:
     """The height at which the cloth is narrowest near to where the belt is to be, cm.
 
     Cloth that narrows to no waist, as that of robes, is tied where the belt is to be.
@@ -294,10 +298,10 @@ def _knot(garment: Garment, belt: Belt, front: Array) -> list[TrimMesh]:
     return [*pieces, TrimMesh(belt.trim, "cloth", *knot, np.zeros((0, 2), int))]
 
 
-def _around(garment: Garment, height: float) -> Array | None:
-    """(`_BELT_SIDES`, 2) x and z of what is stretched around the cloth of the trunk at a height."""
+def _around(garment: Garment, height: float, near_by: float = _BELT_REACH) -> Array | None:
+    """(`_BELT_SIDES`, 2) x and z of what is stretched around the cloth of the trunk near to a height, cm."""
     points = garment.flat_positions[around_trunk(garment)]
-    near = points[np.abs(points[:, 1] - height) <= _BELT_REACH][:, [0, 2]]
+    near = points[np.abs(points[:, 1] - height) <= near_by][:, [0, 2]]
     if len(near) < 8:
         return None
     try:

@@ -80,7 +80,7 @@ class ShirtOptions(PoloShirtOptions):
     sleeve_shape: SleeveShapeOption = "plain"
     shoulder_extension: declared.ShoulderExtension = 0.0
     armhole: RaglanOption = "set-in"
-    hem_opening: declared.HemOpening = 4.0
+    hem_opening: declared.HemOpening = 0.0
     hem_rise: declared.HemRise = 0.0
     hem_dip: declared.TopHemDip = 0.0
 
@@ -173,6 +173,7 @@ class CoatOptions(BlazerOptions):
     waist_shaping: declared.WaistShaping = 0.0
     flare: declared.DressFlare = 10.0
     neck_depth: declared.LapelDepth = 24.0
+    opening: declared.OverlapOrOpening = 0.0
     closed_to: declared.ClosedTo = 30.0
     collar_width: declared.LapelCollarWidth = 6.0
     lapel_width: declared.LapelWidth = 8.5
