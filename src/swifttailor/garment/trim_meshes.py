@@ -74,7 +74,9 @@ def trim_meshes(garment: Garment) -> list[TrimMesh]:
     found: list[TrimMesh] = []
     layers: list[TrimMesh] = []
     places = flat_places(garment)
-    for piece in _seen(place_trims(pattern)):
+    pieces = _seen(place_trims(pattern))
+    belts = {piece.trim: piece for piece in pieces if isinstance(piece, Belt)}
+    for piece in pieces:
         if isinstance(piece, Belt):
             found += _belt(garment, piece)
         elif isinstance(piece, Button):
@@ -89,7 +91,8 @@ def trim_meshes(garment: Garment) -> list[TrimMesh]:
             found += frill_meshes(garment, piece)
         elif isinstance(piece, Bow):
             on = _on_cloth(garment, piece.panel, np.array([piece.at]))
-            bow = bow_meshes(garment, piece, on.points[0], on.normals[0])
+            at = _on_band(garment, belts[piece.trim], on.points[0]) if piece.trim in belts else on.points[0]
+            bow = bow_meshes(garment, piece, at, on.normals[0])
             found += [replace(mesh, panel=piece.panel) for mesh in bow]  # whose colour it has
         else:
             found.append(_patch(garment, piece, places))
@@ -229,6 +232,16 @@ def _belt(garment: Garment, belt: Belt) -> list[TrimMesh]:
     if belt.trim in _TIED_BEHIND:
         return [band]
     return [band, *_knot(garment, belt, front)]
+
+
+def _on_band(garment: Garment, belt: Belt, at: Array) -> Array:
+    """(3,) the place on a belt that is nearest to one on the cloth, where its bow is tied."""
+    height = belt_height(garment, belt)
+    ring = _around(garment, height, max(0.4 * belt.width, _LEAST_REACH))
+    if ring is None:
+        return at
+    x, z = ring[np.linalg.norm(ring - at[[0, 2]], axis=1).argmin()]
+    return np.array([x, height, z])
 
 
 def belt_height(garment: Garment, belt: Belt) -> float:

@@ -23,6 +23,7 @@ from swifttailor.garment.trunk_cloth import around_trunk
 from swifttailor.garment_sewer.clear_of_feet import clear_of_feet
 from swifttailor.garment_sewer.covering import cover_cleft
 from swifttailor.garment_sewer.crumpling import CRUMPLED, smoothed_where_crumpled
+from swifttailor.garment_sewer.flare_evened import flare_evened
 from swifttailor.garment_sewer.layers import layers_lifted, overlapping_vertices
 from swifttailor.garment_sewer.legs_apart import legs_apart
 from swifttailor.garment_sewer.pixels.body_distance import BodyDistance
@@ -100,6 +101,8 @@ def relaxed(
     body = body_of(garment.pattern.drafted_for) if body is None else body
     frames, smooth = FRAMES, None
     begun = replace(garment, vertices=layers_lifted(garment, body))
+    flared = flare_evened(begun, body)
+    begun = begun if flared is None else replace(begun, vertices=flared)
     sleeves = sleeves_laid(begun.mesh, begun.vertices, body)
     if sleeves is not None:
         begun = replace(begun, vertices=sleeves)
