@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from functools import partial
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -11,8 +11,7 @@ import numpy as np
 from swifttailor.arrays import Floats
 from swifttailor.body import Body
 from swifttailor.draping.fabric import Fabric
-from swifttailor.draping.simulation import SimulationSettings, fall, grow, smooth_down
-from swifttailor.draping.tied import Tie
+from swifttailor.draping.simulation import Hold, SimulationSettings, fall, grow, smooth_down
 from swifttailor.draping.worn_garment import worn_garment
 from swifttailor.errors import SimulationError
 from swifttailor.garment.garment import Garment
@@ -27,8 +26,6 @@ GROWING_SUBSTEPS = 12
 """While cloth grows nothing hangs yet, so fewer do: what falls afterwards gets its lengths there."""
 CONTACT_INTERVAL = 6
 """Searches for contacts are a third of the time; a drape, which falls for longer, makes one in 5 substeps."""
-TIGHT_AFTER = 0.6
-"""In this part of the time a belt is drawn tight."""
 DAMPING = 4.0
 """Per second, as in the third second of a drape: what falls slowly does not pass through itself."""
 
@@ -42,7 +39,7 @@ def relax(
     smoothed: int = 0,
     grown_from: Floats | None = None,
     carefully: bool = False,
-    tie: Tie | None = None,
+    holds: Sequence[Hold] = (),
     progress: StageProgress | None = None,
 ) -> Garment:
     """Lets a garment fall for a short while, from where it is; it need not come to rest (see `finish`).
@@ -56,7 +53,7 @@ def relax(
         grown_from: (v, 3) where its cloth lies smoothly but too short, cm: it grows to its lengths from there
             before it falls, in `GROWING_FRAMES`.
         carefully: Whether it takes as many substeps and searches for contacts as a drape, all the time.
-        tie: What draws it in at the waist while it falls.
+        holds: What moves some of it after every frame in which it falls, as a belt does.
         progress: Called with the stage's name and the share of it that is done.
 
     Returns:
@@ -78,7 +75,7 @@ def relax(
         grow(simulation, GROWING_FRAMES, say, SUBSTEPS if carefully else GROWING_SUBSTEPS)
     if smoothed:
         smooth_down(simulation, smoothed, worn.body.measurements.armpit_level, say)
-    fall(simulation, frames, DAMPING, say, None if tie is None else partial(_tied, tie))
+    fall(simulation, frames, DAMPING, say, holds)
     if not np.isfinite(simulation.positions).all():
         raise SimulationError(
             "The cloth moved to infinity while it was relaxed. Drape the pattern instead: swifttailor drape "
@@ -87,8 +84,3 @@ def relax(
     seconds = garment.report.get("seconds", {}) | {"relaxing": round(time.perf_counter() - started, 4)}
     report = garment.report | {"relaxed_frames": frames, "fabric": worn.fabric.name, "seconds": seconds}
     return replace(garment, vertices=simulation.positions, report=report)
-
-
-def _tied(tie: Tie, simulation: Simulation, share: float) -> None:
-    """Draws a belt tight in the first part of the time: afterwards cloth settles in it."""
-    tie.draw_in(simulation, min(share / TIGHT_AFTER, 1.0))

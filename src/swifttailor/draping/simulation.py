@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -59,6 +60,13 @@ class SimulationSettings:
     """The garment is at rest when at most this share of its vertices still moves."""
     watch: Callable[[Floats], object] | None = None
     """Called after every frame with the positions (v, 3) in cm, which the next frame overwrites."""
+
+
+class Hold(Protocol):
+    """What holds some of the cloth, as a belt does."""
+
+    def __call__(self, simulation: Simulation, share: float, /) -> None:
+        """Moves it after a frame, when a share of the time is over."""
 
 
 @dataclass(frozen=True)
@@ -250,7 +258,7 @@ def fall(
     frames: int,
     damping: float,
     progress: StageProgress,
-    draw_in: Callable[[Simulation, float], None] | None = None,
+    holds: Sequence[Hold] = (),
 ) -> None:
     """Lets the garment hang for a while, whether it comes to rest or not; necklines stay held.
 
@@ -259,7 +267,7 @@ def fall(
         frames: For so many sixtieths of a second.
         damping: Per second.
         progress: Called with the name of the stage and the share of it that is done.
-        draw_in: Called after every frame with the share of the time that is over, to move what a belt holds.
+        holds: What moves some of it after every frame.
     """
     simulation.hold()
     for k in range(frames):
@@ -271,8 +279,8 @@ def fall(
             max_speed=_FALLING_SPEED,
             long_edges=k < 15,
         )
-        if draw_in is not None:
-            draw_in(simulation, (k + 1) / frames)
+        for hold in holds:
+            hold(simulation, (k + 1) / frames)
         progress("relaxing", (k + 1) / frames)
 
 

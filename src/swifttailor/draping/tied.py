@@ -13,6 +13,8 @@ from swifttailor.draping.simulation import Simulation
 
 _ROOM_CM, _ABOVE_CM = 1.0, 0.6
 """How far off the body a belt lies, and how far above and below it cloth is drawn in with it, cm."""
+_TIGHT_AFTER = 0.6
+"""In this part of the time a belt is drawn tight; afterwards cloth settles in it."""
 _DRAWN_TO = 0.76
 """To no less than this part of its girth is cloth drawn in: more would not fold, but tangle."""
 _TRUNK = 1.45
@@ -39,13 +41,9 @@ class Tie:
     tied: Array
     """(`_SIDES`,) and afterwards."""
 
-    def draw_in(self, simulation: Simulation, share: float) -> None:
-        """Moves cloth that lies outside of the belt into it.
-
-        Args:
-            simulation: Of the garment.
-            share: Of the way to which the belt is drawn tight.
-        """
+    def __call__(self, simulation: Simulation, share: float) -> None:
+        """Moves cloth that lies outside of the belt into it, when a share of the time is over."""
+        share = min(share / _TIGHT_AFTER, 1.0)
         points = simulation.positions[self.vertices]
         reach = 0.5 * self.width + _ABOVE_CM
         own = self.vertices[np.abs(points[:, 1] - self.height) <= reach]
@@ -88,7 +86,7 @@ def tie_around(vertices: Floats, trunk: Ints, height: float, width: float, body:
 
 
 def _reaches(points: Floats, middle: Array) -> Array | None:
-    """(`_SIDES`,) how far the hull of some points (n, 2) lies from a place inside; None where it is outside."""
+    """(`_SIDES`,) how far the hull of points (n, 2) lies from a place; None where that is outside."""
     try:
         hull = ConvexHull(points)
     except (QhullError, ValueError):

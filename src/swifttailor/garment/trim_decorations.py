@@ -45,8 +45,8 @@ how much of its way is down."""
 _SHORT_THREADS, _FINE = 4.0, 0.6
 """Threads shorter than this, cm, are of the cloth itself: so much finer."""
 _LOOP_HEIGHT, _LOOP_DEPTH, _RIBBON, _WIDER = 0.17, 1.0, 2.4, 0.19
-"""Of a bow: height of a loop as a part of its width, its depth and the least width of its ends, cm, and that as
-a part of its width."""
+"""Of a bow: height of a loop as a part of its width, its depth and the least width of its ends, cm, and the
+latter as a part of the bow's width."""
 
 
 def frill_meshes(garment: Garment, frill: Frill) -> list[TrimMesh]:

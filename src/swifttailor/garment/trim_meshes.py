@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
@@ -80,7 +80,8 @@ def trim_meshes(garment: Garment) -> list[TrimMesh]:
         if isinstance(piece, Belt):
             found += _belt(garment, piece)
         elif isinstance(piece, Button):
-            found.append(_button(garment, piece))
+            button = _button(garment, piece)
+            found += [] if _under(belts, garment, button) else [button]
         elif isinstance(piece, Stirrup):
             strap = stirrup_mesh(garment, piece)
             found += [] if strap is None else [strap]
@@ -232,6 +233,13 @@ def _belt(garment: Garment, belt: Belt) -> list[TrimMesh]:
     if belt.trim in _TIED_BEHIND:
         return [band]
     return [band, *_knot(garment, belt, front)]
+
+
+def _under(belts: Mapping[str, Belt], garment: Garment, button: TrimMesh) -> bool:
+    """Whether a button lies below a belt, which slips to where the sewn cloth is narrowest."""
+    y = float(button.vertices[:, 1].mean())
+    tied = [belt for belt in belts.values() if belt.reach]
+    return any(abs(y - belt_height(garment, belt)) < 0.5 * belt.width + _BUTTON_HEIGHT for belt in tied)
 
 
 def _on_band(garment: Garment, belt: Belt, at: Array) -> Array:

@@ -35,6 +35,8 @@ def flare_evened(garment: Garment, body: Body) -> Floats | None:
     vertices = garment.vertices
     x, y, z = vertices[own].T
     low, high = float(y.min()), levels.armpit_level
+    if any(panel.name.startswith("pant") for panel in garment.pattern.panels):  # legs
+        return None
     if low > levels.hips_level - _SHORTEST_CM or float(vertices[:, 1].max()) < high:
         return None
     hem = own[y < low + _NEAR_HEM_CM]

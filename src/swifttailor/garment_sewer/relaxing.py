@@ -15,12 +15,13 @@ from swifttailor.arrays import Bools, Floats
 from swifttailor.body import Body
 from swifttailor.body.wearer import body_of
 from swifttailor.draping.fabric import Fabric
-from swifttailor.errors import SimulationError
 from swifttailor.draping.tied import Tie, tie_around
+from swifttailor.errors import SimulationError
 from swifttailor.garment.garment import Garment
 from swifttailor.garment.trim_meshes import belt_height
 from swifttailor.garment.trunk_cloth import around_trunk
 from swifttailor.garment_sewer.clear_of_feet import clear_of_feet
+from swifttailor.garment_sewer.collars_above import collar_above
 from swifttailor.garment_sewer.covering import cover_cleft
 from swifttailor.garment_sewer.crumpling import CRUMPLED, smoothed_where_crumpled
 from swifttailor.garment_sewer.flare_evened import flare_evened
@@ -126,6 +127,7 @@ def relaxed(
     smooth = None if smooth is None else clear_of_feet(smooth, body)
     tie = belt_tie(begun, body)
     frames = frames if tie is None else max(frames, TIED_FRAMES)
+    above = collar_above(begun.mesh, begun.vertices, body)
     smoothed = SMOOTHED_FRAMES if is_plain and lies_close_behind(begun.vertices, body) else 0
     try:
         fallen = relax(
@@ -136,7 +138,7 @@ def relaxed(
             smoothed=smoothed,
             grown_from=smooth,
             carefully=apart is not None,  # cloth that comes from between legs may be pulled through one
-            tie=tie,
+            holds=[hold for hold in (tie, above) if hold is not None],
             progress=progress,
         )
     except SimulationError as error:

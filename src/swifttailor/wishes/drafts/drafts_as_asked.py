@@ -186,7 +186,7 @@ def _as_another(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
 
 
 def _bares_its_collar(claims: Sequence[Claim]) -> bool:
-    """Whether a jacket is to have no collar: one with a round neck has none, unless some collar is told of."""
+    """Whether a jacket is to have no collar, as one with a round neck unless some collar is told of."""
     collars = {claim.value for claim in claims if claim.name == "collar"}
     return collars == {"none"} or (not collars and not _ROUND.isdisjoint(claims))
 

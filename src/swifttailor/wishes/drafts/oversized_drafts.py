@@ -21,7 +21,13 @@ _FITS: Mapping[str, Mapping[str, float]] = {
 """What such tops have at least, cm: a wide chest alone stands off the back, and ends at the waist."""
 _FITS_OF: Mapping[str, Mapping[str, Mapping[str, float]]] = {
     "blazer": {
-        "oversized": {"chest_ease": 22.0, "length": 32.0, "shoulder_extension": 3.5, "arm_ease": 13.0, "closed_to": 10.0},
+        "oversized": {
+            "chest_ease": 22.0,
+            "length": 32.0,
+            "shoulder_extension": 3.5,
+            "arm_ease": 13.0,
+            "closed_to": 10.0,
+        },
         "loose": {"chest_ease": 14.0, "length": 27.0, "shoulder_extension": 1.5, "arm_ease": 10.0},
     }
 }
