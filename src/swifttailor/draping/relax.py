@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -10,7 +11,7 @@ import numpy as np
 from swifttailor.arrays import Floats
 from swifttailor.body import Body
 from swifttailor.draping.fabric import Fabric
-from swifttailor.draping.simulation import SimulationSettings, fall, grow, smooth_down
+from swifttailor.draping.simulation import Hold, SimulationSettings, fall, grow, smooth_down
 from swifttailor.draping.worn_garment import worn_garment
 from swifttailor.errors import SimulationError
 from swifttailor.garment.garment import Garment
@@ -38,6 +39,7 @@ def relax(
     smoothed: int = 0,
     grown_from: Floats | None = None,
     carefully: bool = False,
+    holds: Sequence[Hold] = (),
     progress: StageProgress | None = None,
 ) -> Garment:
     """Lets a garment fall for a short while, from where it is; it need not come to rest (see `finish`).
@@ -51,6 +53,7 @@ def relax(
         grown_from: (v, 3) where its cloth lies smoothly but too short, cm: it grows to its lengths from there
             before it falls, in `GROWING_FRAMES`.
         carefully: Whether it takes as many substeps and searches for contacts as a drape, all the time.
+        holds: What moves some of it after every frame in which it falls, as a belt does.
         progress: Called with the stage's name and the share of it that is done.
 
     Returns:
@@ -72,7 +75,7 @@ def relax(
         grow(simulation, GROWING_FRAMES, say, SUBSTEPS if carefully else GROWING_SUBSTEPS)
     if smoothed:
         smooth_down(simulation, smoothed, worn.body.measurements.armpit_level, say)
-    fall(simulation, frames, DAMPING, say)
+    fall(simulation, frames, DAMPING, say, holds)
     if not np.isfinite(simulation.positions).all():
         raise SimulationError(
             "The cloth moved to infinity while it was relaxed. Drape the pattern instead: swifttailor drape "

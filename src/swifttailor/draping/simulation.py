@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -59,6 +60,13 @@ class SimulationSettings:
     """The garment is at rest when at most this share of its vertices still moves."""
     watch: Callable[[Floats], object] | None = None
     """Called after every frame with the positions (v, 3) in cm, which the next frame overwrites."""
+
+
+class Hold(Protocol):
+    """What holds some of the cloth, as a belt does."""
+
+    def __call__(self, simulation: Simulation, share: float, /) -> None:
+        """Moves it after a frame, when a share of the time is over."""
 
 
 @dataclass(frozen=True)
@@ -245,8 +253,22 @@ def settle(simulation: Simulation, progress: StageProgress) -> tuple[int, bool]:
     return s.max_frames, False
 
 
-def fall(simulation: Simulation, frames: int, damping: float, progress: StageProgress) -> None:
-    """Lets the garment hang for a while, whether it comes to rest or not; necklines stay held."""
+def fall(
+    simulation: Simulation,
+    frames: int,
+    damping: float,
+    progress: StageProgress,
+    holds: Sequence[Hold] = (),
+) -> None:
+    """Lets the garment hang for a while, whether it comes to rest or not; necklines stay held.
+
+    Args:
+        simulation: Of a garment that is worn already.
+        frames: For so many sixtieths of a second.
+        damping: Per second.
+        progress: Called with the name of the stage and the share of it that is done.
+        holds: What moves some of it after every frame.
+    """
     simulation.hold()
     for k in range(frames):
         simulation.frame(
@@ -257,6 +279,8 @@ def fall(simulation: Simulation, frames: int, damping: float, progress: StagePro
             max_speed=_FALLING_SPEED,
             long_edges=k < 15,
         )
+        for hold in holds:
+            hold(simulation, (k + 1) / frames)
         progress("relaxing", (k + 1) / frames)
 
 

@@ -44,8 +44,9 @@ _FROM_LEVEL, _LEAST_POINTS, _DROOPS = 0.3, 4, 0.45
 how much of its way is down."""
 _SHORT_THREADS, _FINE = 4.0, 0.6
 """Threads shorter than this, cm, are of the cloth itself: so much finer."""
-_LOOP_HEIGHT, _LOOP_DEPTH, _RIBBON = 0.17, 1.0, 2.4
-"""Of a bow: height of a loop as a part of its width, its depth and the width of its ends, cm."""
+_LOOP_HEIGHT, _LOOP_DEPTH, _RIBBON, _WIDER = 0.17, 1.0, 2.4, 0.19
+"""Of a bow: height of a loop as a part of its width, its depth and the least width of its ends, cm, and the
+latter as a part of the bow's width."""
 
 
 def frill_meshes(garment: Garment, frill: Frill) -> list[TrimMesh]:
@@ -134,7 +135,7 @@ def _end(garment: Garment, bow: Bow, knot: Array, side: float, outward: float) -
     """A ribbon that hangs from the knot, before the cloth; behind it where that is outward: -1."""
     drops = np.linspace(0.0, bow.tail, 9)
     middle = knot[0] + side * (0.8 + 0.14 * drops)
-    half = 0.5 * _RIBBON * (0.45 + 0.55 * np.clip(drops / 5.0, 0.0, 1.0))
+    half = 0.5 * max(_RIBBON, _WIDER * bow.width) * (0.45 + 0.55 * np.clip(drops / 5.0, 0.0, 1.0))
     x = np.stack([middle - half, middle + half], axis=1)
     y = np.broadcast_to((knot[1] - drops)[:, None], x.shape)
     cloth = [

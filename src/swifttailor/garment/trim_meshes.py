@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
@@ -35,6 +35,7 @@ _QUILTING_LIFT = 0.14
 """Stitches through wadding lie deeper than those on top of pockets."""
 _BUTTON_LIFT, _BUTTON_HEIGHT = 0.34, 0.22
 _BELT_LIFT, _BELT_SIDES, _BELT_REACH = 0.5, 96, 2.5
+_LEAST_REACH = 1.5
 _KEEPS_TO = 0.002
 """By how much narrower, per cm, the cloth must be elsewhere for a belt to slip there."""
 _WAISTED = 0.97
@@ -73,11 +74,14 @@ def trim_meshes(garment: Garment) -> list[TrimMesh]:
     found: list[TrimMesh] = []
     layers: list[TrimMesh] = []
     places = flat_places(garment)
-    for piece in _seen(place_trims(pattern)):
+    pieces = _seen(place_trims(pattern))
+    belts = {piece.trim: piece for piece in pieces if isinstance(piece, Belt)}
+    for piece in pieces:
         if isinstance(piece, Belt):
             found += _belt(garment, piece)
         elif isinstance(piece, Button):
-            found.append(_button(garment, piece))
+            button = _button(garment, piece)
+            found += [] if _under(belts, garment, button) else [button]
         elif isinstance(piece, Stirrup):
             strap = stirrup_mesh(garment, piece)
             found += [] if strap is None else [strap]
@@ -88,7 +92,8 @@ def trim_meshes(garment: Garment) -> list[TrimMesh]:
             found += frill_meshes(garment, piece)
         elif isinstance(piece, Bow):
             on = _on_cloth(garment, piece.panel, np.array([piece.at]))
-            bow = bow_meshes(garment, piece, on.points[0], on.normals[0])
+            at = _on_band(garment, belts[piece.trim], on.points[0]) if piece.trim in belts else on.points[0]
+            bow = bow_meshes(garment, piece, at, on.normals[0])
             found += [replace(mesh, panel=piece.panel) for mesh in bow]  # whose colour it has
         else:
             found.append(_patch(garment, piece, places))
@@ -201,8 +206,11 @@ def _button(garment: Garment, button: Button) -> TrimMesh:
 
 def _belt(garment: Garment, belt: Belt) -> list[TrimMesh]:
     """A band stretched around the cloth at its height, with what closes it in front."""
-    heights = _waist(garment, belt) + belt.width * np.array([-0.5, 0.0, 0.5])
-    rings = [_around(garment, height) for height in heights]
+    heights = belt_height(garment, belt) + belt.width * np.array([-0.5, 0.0, 0.5])
+    if belt.reach:  # cloth that is tied stands out above and below, and the belt does not
+        rings = [_around(garment, heights[1], max(0.4 * belt.width, _LEAST_REACH))] * len(heights)
+    else:
+        rings = [_around(garment, height) for height in heights]
     if any(ring is None for ring in rings):
         return []
     rows = [ring for ring in rings if ring is not None]
@@ -227,7 +235,24 @@ def _belt(garment: Garment, belt: Belt) -> list[TrimMesh]:
     return [band, *_knot(garment, belt, front)]
 
 
-def _waist(garment: Garment, belt: Belt) -> float:
+def _under(belts: Mapping[str, Belt], garment: Garment, button: TrimMesh) -> bool:
+    """Whether a button lies below a belt, which slips to where the sewn cloth is narrowest."""
+    y = float(button.vertices[:, 1].mean())
+    tied = [belt for belt in belts.values() if belt.reach]
+    return any(abs(y - belt_height(garment, belt)) < 0.5 * belt.width + _BUTTON_HEIGHT for belt in tied)
+
+
+def _on_band(garment: Garment, belt: Belt, at: Array) -> Array:
+    """(3,) the place on a belt that is nearest to one on the cloth, where its bow is tied."""
+    height = belt_height(garment, belt)
+    ring = _around(garment, height, max(0.4 * belt.width, _LEAST_REACH))
+    if ring is None:
+        return at
+    x, z = ring[np.linalg.norm(ring - at[[0, 2]], axis=1).argmin()]
+    return np.array([x, height, z])
+
+
+def belt_height(garment: Garment, belt: Belt) -> float:
     """The height at which the cloth is narrowest near to where the belt is to be, cm.
 
     Cloth that narrows to no waist, as that of robes, is tied where the belt is to be.
@@ -294,10 +319,10 @@ def _knot(garment: Garment, belt: Belt, front: Array) -> list[TrimMesh]:
     return [*pieces, TrimMesh(belt.trim, "cloth", *knot, np.zeros((0, 2), int))]
 
 
-def _around(garment: Garment, height: float) -> Array | None:
-    """(`_BELT_SIDES`, 2) x and z of what is stretched around the cloth of the trunk at a height."""
+def _around(garment: Garment, height: float, near_by: float = _BELT_REACH) -> Array | None:
+    """(`_BELT_SIDES`, 2) x and z of what is stretched around the cloth of the trunk near to a height, cm."""
     points = garment.flat_positions[around_trunk(garment)]
-    near = points[np.abs(points[:, 1] - height) <= _BELT_REACH][:, [0, 2]]
+    near = points[np.abs(points[:, 1] - height) <= near_by][:, [0, 2]]
     if len(near) < 8:
         return None
     try:

@@ -15,11 +15,16 @@ from swifttailor.arrays import Bools, Floats
 from swifttailor.body import Body
 from swifttailor.body.wearer import body_of
 from swifttailor.draping.fabric import Fabric
+from swifttailor.draping.tied import Tie, tie_around
 from swifttailor.errors import SimulationError
 from swifttailor.garment.garment import Garment
+from swifttailor.garment.trim_meshes import belt_height
+from swifttailor.garment.trunk_cloth import around_trunk
 from swifttailor.garment_sewer.clear_of_feet import clear_of_feet
+from swifttailor.garment_sewer.collars_above import collar_above
 from swifttailor.garment_sewer.covering import cover_cleft
 from swifttailor.garment_sewer.crumpling import CRUMPLED, smoothed_where_crumpled
+from swifttailor.garment_sewer.flare_evened import flare_evened
 from swifttailor.garment_sewer.layers import layers_lifted, overlapping_vertices
 from swifttailor.garment_sewer.legs_apart import legs_apart
 from swifttailor.garment_sewer.pixels.body_distance import BodyDistance
@@ -27,6 +32,8 @@ from swifttailor.garment_sewer.pleats_laid import pleats_laid
 from swifttailor.garment_sewer.sleeves_laid import sleeves_laid
 from swifttailor.panel_mesh.pattern_mesh import PatternMesh
 from swifttailor.pattern.check import panel_regions
+from swifttailor.pattern.trims.placing import place_trims
+from swifttailor.pattern.trims.shapes import Belt
 from swifttailor.progress import StageProgress
 
 CRUMPLED_FRAMES = 20
@@ -47,6 +54,8 @@ SLEEVE_FRAMES = 20
 """So long sleeves fall that were laid around the arms."""
 WIDE_FRAMES = 20
 """So long tops fall that hang free of the waist: as they were predicted, they stand out like bells."""
+TIED_FRAMES = 30
+"""So long garments fall that a belt draws in."""
 FREE_CM = 2.4
 """Free is what lies farther from the body, in the median, between waist and hips."""
 _BELOW_CROWN = 0.96
@@ -93,6 +102,8 @@ def relaxed(
     body = body_of(garment.pattern.drafted_for) if body is None else body
     frames, smooth = FRAMES, None
     begun = replace(garment, vertices=layers_lifted(garment, body))
+    flared = flare_evened(begun, body)
+    begun = begun if flared is None else replace(begun, vertices=flared)
     sleeves = sleeves_laid(begun.mesh, begun.vertices, body)
     if sleeves is not None:
         begun = replace(begun, vertices=sleeves)
@@ -114,6 +125,9 @@ def relaxed(
     is_plain = pleated is None and smooth is None
     begun = replace(begun, vertices=clear_of_feet(begun.vertices, body))
     smooth = None if smooth is None else clear_of_feet(smooth, body)
+    tie = belt_tie(begun, body)
+    frames = frames if tie is None else max(frames, TIED_FRAMES)
+    above = collar_above(begun.mesh, begun.vertices, body)
     smoothed = SMOOTHED_FRAMES if is_plain and lies_close_behind(begun.vertices, body) else 0
     try:
         fallen = relax(
@@ -124,6 +138,7 @@ def relaxed(
             smoothed=smoothed,
             grown_from=smooth,
             carefully=apart is not None,  # cloth that comes from between legs may be pulled through one
+            holds=[hold for hold in (tie, above) if hold is not None],
             progress=progress,
         )
     except SimulationError as error:
@@ -135,6 +150,16 @@ def relaxed(
     if more > 0 and more > _crossings(garment.mesh, garment.vertices):
         return replace(garment, report=garment.report | {"not_relaxed": _TANGLED, "seconds": seconds})
     return replace(fallen, vertices=cover_cleft(fallen.mesh, fallen.vertices, body))
+
+
+def belt_tie(garment: Garment, body: Body) -> Tie | None:
+    """What draws in a garment that hangs from the shoulders and has a belt; None where nothing does."""
+    belts = [piece for piece in place_trims(garment.pattern) if isinstance(piece, Belt) and piece.reach > 0.0]
+    if not belts or belts[0].trim == "apron":
+        return None
+    trunk = np.unique(garment.mesh.weld[around_trunk(garment)])
+    height = belt_height(garment, belts[0])
+    return tie_around(garment.vertices, trunk, height, belts[0].width, body)
 
 
 def hangs_free(garment: Garment, body: Body) -> bool:

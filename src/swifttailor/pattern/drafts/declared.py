@@ -192,8 +192,8 @@ OverlapOrOpening = Annotated[
 LapelDepth = Annotated[
     float, Option("Fall of the front neckline below the neck-shoulder point.", "cm", 18.0, 34.0)
 ]
-LapelCollarWidth = Annotated[float, Option("Width of the collar on the shoulder.", "cm", 3.0, 8.0)]
-LapelWidth = Annotated[float, Option("Width of the lapels where they are widest.", "cm", 4.0, 12.0)]
+LapelCollarWidth = Annotated[float, Option("Width of the collar on the shoulder.", "cm", 3.0, 12.0)]
+LapelWidth = Annotated[float, Option("Width of the lapels where they are widest.", "cm", 4.0, 14.0)]
 SideSlits = Annotated[float, Option("Length of the side seams left open above the hem.", "cm", 0.0, 85.0)]
 BackSlit = Annotated[
     float, Option("Length of the seam in the middle of the back left open above the hem.", "cm", 0.0, 50.0)

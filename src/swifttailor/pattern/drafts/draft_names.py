@@ -352,7 +352,7 @@ STANDS_IN: Mapping[str, str] = {
     "wrap-dress": _CROSSED,
     "wrap-top": _CROSSED,
     "pleated-skirt": "Each pleat is cut as strips; where they meet in a fold, cut them in one.",
-    "shirt": _BUTTONED,
+    "shirt": "Its front is sewn together where buttons would close it.",
     "waistcoat": _BUTTONED,
     "polo-shirt": "The slit below its collar is closed, and has no buttons.",
 }

@@ -11,6 +11,9 @@ from swifttailor.pattern.drafts.outline import Outline
 _LEAN, _NARROWEST = 0.35, 0.12
 """So much shorter is the upper edge of each quarter than the lower one, over the height and at most over the
 length of the lower one: necks narrow so, and a collar that does not lean to them stands off."""
+_TO_THE_CHIN, _AWAY = 10.0, 0.45
+"""Taller collars would cover the mouth: they stand away from the neck, and the upper edge of each quarter is
+longer than the lower one by so much of the height, cm."""
 CLOSE_FRONT_Z, CLOSE_BACK_Z = 18.0, -17.0
 """Where its halves stand before draping, cm."""
 _CORNER, _GAP_CM = 0.45, 0.8
@@ -40,7 +43,7 @@ def lay_stand_collar(table: CuttingTable, figure: Figure, height: float, *, spli
         split: Whether it is open in the middle of the front, with rounded corners.
     """
     quarters = [table.length(f"{torso}.neck") for torso in ("left_ftorso", "left_btorso")]
-    closer = lean(height, min(quarters))
+    closer = lean(height, min(quarters)) if height <= _TO_THE_CHIN else -_AWAY * height
     upright = math.sqrt(height**2 - closer**2)  # the slanting ends are as long as it is high
     for face, torso, long in zip(("front", "back"), ("left_ftorso", "left_btorso"), quarters, strict=True):
         outline = Outline(0.0, 0.0).line("neck", long, 0.0)

@@ -37,6 +37,8 @@ _NECK_LACE, _RIB, _HEM_RIB = 4.0, 2.0, 3.0
 _BORDER = 7.5
 """How wide the border of another colour along a hem is, cm."""
 _BOW, _BOW_TAIL = 15.0, 17.0
+_NECK_BOW, _NECK_TAIL = 18.0, 24.0
+"""Those of pussy bows, which are tied of long soft ends, cm."""
 _BELOW_SHOULDER, _SHOULDER_BOW, _SHOULDER_TAIL = 3.0, 11.0, 8.0
 """Bows on shoulders: how far below their highest point, how wide, and how long their ends are, cm."""
 _BELOW_NECK = 1.0
@@ -160,7 +162,7 @@ def neck_bow(chalk: Chalk, name: str) -> list[Trim]:
     if not chalk.views[panel].holds([(x, y - _BELOW_NECK)]):
         return []
     u, v = chalk.views[panel].local([(x, y - _BELOW_NECK)])[0].tolist()
-    return [Bow(name, panel, (u, v), _BOW * chalk.size, _BOW_TAIL * chalk.size)]
+    return [Bow(name, panel, (u, v), _NECK_BOW * chalk.size, _NECK_TAIL * chalk.size)]
 
 
 def waist_bow(chalk: Chalk, name: str) -> list[Trim]:

@@ -28,6 +28,8 @@ _ROOM, _LEAST = 0.3, 0.15
 """Radius of a button over its distance from the next, at most, and of the smallest, cm."""
 _SHORTEST = 6.0
 """A front that is joined less far has nothing that closes it, cm."""
+_LONG_COAT, _BUTTONED = 44.0, 26.0
+"""What reaches lower than so far below the waist is a coat, and is buttoned down to there, cm."""
 _LOWER = 4.0
 """Strips beside the seam may end so far below its upper end, cm."""
 _NEAR = 3.0
@@ -101,6 +103,8 @@ def buttons(chalk: Chalk, name: str) -> list[Trim]:
     if name == "waist placket":
         low = max(low, chalk.waist)
     bottom, top = low + _FROM_HEM, high - _FROM_NECK
+    if coat:
+        bottom = max(bottom, _last_of_coat(chalk))
     if name == "waist placket" and top <= bottom:  # a front that is open down to the waist
         return []
     on_skirt = 0.0 if name in _ABOVE_WAIST else _skirt_length(chalk)
@@ -113,6 +117,13 @@ def buttons(chalk: Chalk, name: str) -> list[Trim]:
     skirted = on_skirt and (beside or not chalk.pattern.button_count)
     below = _buttons_of_skirt(chalk, name, beside) if skirted else []
     return [*band, *(button for one in row for button in one), *below]
+
+
+def _last_of_coat(chalk: Chalk) -> float:
+    """How low a coat is buttoned, cm; minus infinity for what is no longer than a jacket."""
+    low = min([view.low for panel, view in chalk.views.items() if panel.endswith("_ftorso")], default=0.0)
+    long = low < chalk.waist - _LONG_COAT * chalk.size
+    return chalk.waist - _BUTTONED * chalk.size if long else -math.inf
 
 
 def _row(bottom: float, top: float, spacing: float, radius: float, count: int) -> tuple[list[float], float]:
@@ -188,10 +199,10 @@ def double_breasted(chalk: Chalk, name: str) -> list[Trim]:
     pieces = chalk.line(name, left.panel, edge)
     pairs = []
     spacing, radius = _COAT_SPACING * chalk.size, _COAT_BUTTON * chalk.size
-    bottom = max(low + 3, min(_above_belt(chalk), top - _SHORTEST))
+    bottom = max(low + 3, _last_of_coat(chalk), min(_above_belt(chalk), top - _SHORTEST))
     many = math.ceil(chalk.pattern.button_count / 2) or max(round((top - bottom) / spacing), 1) + 1
     heights, radius = _row(bottom, top - 2, spacing, radius, many)
-    for y in [*heights, *_below_belt(chalk, low + 3, spacing, radius)]:
+    for y in [*heights, *_below_belt(chalk, max(low + 3, _last_of_coat(chalk)), spacing, radius)]:
         pair = [
             chalk.button(
                 name,

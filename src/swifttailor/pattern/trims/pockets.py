@@ -7,6 +7,8 @@ from swifttailor.pattern.trims.shapes import Trim
 
 _SHORT_TORSO = 12.0
 """Fronts that end less far below the waist have no pockets at the hips, cm."""
+_DOUBLE_ROWS, _BESIDE_ROWS, _LEAST_WELT = "double-breasted buttons", 11.0, 8.0
+"""Beside two rows of buttons welts begin so far from the middle, and are so wide at least, cm."""
 
 
 def chest_pocket(chalk: Chalk, name: str) -> list[Trim]:
@@ -88,8 +90,16 @@ def welt_pockets(chalk: Chalk, name: str) -> list[Trim]:
         span = view.span(top)
         if span is None or top > chalk.waist + 6 * s:
             return []
-        outer = min(12.5 * s, max(sign * span[0], sign * span[1]) - 7.5 * s)
-        found = chalk.pocket(name, f"{side}_ftorso", (sign * outer, top), 13 * s, 2.2 * s)
+        edge = max(sign * span[0], sign * span[1])
+        outer, width = min(12.5 * s, edge - 7.5 * s), 13 * s
+        if _DOUBLE_ROWS in chalk.pattern.trims:  # beside the rows of buttons, not below them
+            outer, width = (
+                (edge - 1.0 * s + _BESIDE_ROWS * s) / 2,
+                min(edge - (_BESIDE_ROWS + 1.0) * s, 13 * s),
+            )
+        if width < _LEAST_WELT * s:
+            return []
+        found = chalk.pocket(name, f"{side}_ftorso", (sign * outer, top), width, 2.2 * s)
         if not found:
             return []
         pieces += found[:1]

@@ -10,7 +10,7 @@ from swifttailor.pattern.trims.shapes import Belt, Bow, Trim
 
 _BAND, _SLIPS = 3.0, 3.0
 """Width of the band, and how far from the waist of the pattern that of the sewn garment may be, cm."""
-_AT = 0.62
+_AT = 0.5
 """Where the bow is, as a part of half the front."""
 _BOW, _ENDS = 11.0, 20.0
 """Width of the bow, and how long its ends are, cm."""

@@ -13,6 +13,7 @@ from swifttailor.wording.lexicon.conflicts import SCALES
 
 _NONE, _BARE = Claim("sleeves", "none"), Claim("shoulders", "strapless")
 _FRILL, _FRILLED_BAND = Claim("cuffs", "flounce"), Claim("cuffs", "band and flounce")
+_BAND, _BANDLESS = Claim("cuffs", "band"), frozenset({"short", "cap"})
 _LENGTHS = frozenset(value for step in SCALES["sleeves"] for value in step)
 _OTHER_ARMS = {Claim("sleeves", "left only"): "right_sleeve", Claim("sleeves", "right only"): "left_sleeve"}
 _OF_SLEEVES = frozenset({"sleeves", "left_sleeve", "sleeve_cm"})
@@ -22,11 +23,13 @@ def as_long_as_told(found: Iterable[Wish], words: WordReading) -> tuple[Wish, ..
     """The same wishes without another length of sleeves than words say.
 
     A network takes "long" for that of both: "a long cardigan, three quarter sleeves". Nor are there bands
-    above the frills of flounced cuffs.
+    above the frills of flounced cuffs, or at the ends of short sleeves where none are spoken of.
     """
     said = [i.claim for i in words.implications if i.said and i.certainty == "certain"]
     told = {claim.value for claim in said if claim.name == "sleeves"}
     others = {Gain(_FRILLED_BAND)} if _FRILL in said and _FRILLED_BAND not in said else set()
+    if told and told <= _BANDLESS and _BAND not in said:  # a shirt's cuffs are those of long sleeves
+        others.add(Gain(_BAND))
     if len(told) == 1 and told <= _LENGTHS:
         others |= {Gain(Claim("sleeves", value)) for value in _LENGTHS - told}
     return tuple([wish for wish in found if wish.change not in others])

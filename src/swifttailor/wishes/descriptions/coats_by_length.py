@@ -1,4 +1,5 @@
-"""Lengths as they are meant of coats: a short one is a jacket, a three-quarter one ends at the knee.
+"""Lengths as they are meant of coats: a short one is a jacket, a three-quarter one ends at the knee, a long one
+at the ankles.
 
 A short cape ends at the hips.
 
@@ -44,6 +45,15 @@ _THREE_QUARTERS = re.compile(
     r"(?![ -]*(?:length |long )?(?:sleeve|arm|circle))",
     re.IGNORECASE,
 )
+_LONG_BEFORE = re.compile(
+    rf"(?<![\w-])(?<!not )(?<!too )long{_OF_PARTS},? (?P<name>(?:{_WORD} ){{1,3}}?{_CLOTH_COAT})(?!\w)",
+    re.IGNORECASE,
+)
+_LONG_BEHIND = re.compile(
+    rf"(?<![\w-])(?P<name>{_CLOTH_COAT}(?:[ ,]+{_WORD}){{0,2}}?)[ ,]+long{_OF_PARTS}(?= *(?:[.,;!?]|$))",
+    re.IGNORECASE,
+)
+"""A long coat ends at the ankles: one to the floor would be trodden on."""
 _COAT = re.compile(
     r"(?<![\w-])(?:(?:over|top|trench|rain|great|pea)?coat|parka|mac|mackintosh|duster)(?!\w)"
     r"(?! (?:dress|skirt))",
@@ -59,6 +69,8 @@ def coats_by_length(text: str) -> str:
     """
     if _COAT.search(text):
         text = _THREE_QUARTERS.sub("knee length", text)
+    text = _LONG_BEFORE.sub(r"ankle length \g<name>", text)
+    text = _LONG_BEHIND.sub(r"\g<name>, ankle length", text)
     text = _SHORT_CAPE.sub(r"\g<name>hip length cape", text)
     found = _BEFORE.search(text) or _BEHIND.search(text)
     if found is None:

@@ -55,6 +55,8 @@ _SHORT_BLAZER: Mapping[str, float] = {
     **{"neck_depth": 24.0, "lapel_width": 6.5, "chest_ease": 7.0, "opening": 0.0},
     **{"waist_shaping": 3.0, "sleeve_end": 25.0},
 }
+_SHORT_SHIRT: Mapping[str, float] = {"chest_ease": 13.0, "waist_shaping": 1.5}
+"""Darts keep the back of a short shirt from standing off."""
 _SHAPED_JACKET: Mapping[str, float] = {
     **{"chest_ease": 8.0, "waist_shaping": 3.0, "armhole_drop": 4.0},
     **{"arm_ease": 9.0, "sleeve_end": 25.0},
@@ -121,9 +123,20 @@ def cropped_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     elif _is_jacket(draft) and not any(c.name == "fit" and c.value in _LOOSE for c in claims):
         length = max(asked[0], _AT_WAIST_CM) if asked[0] > 0 else asked[0]
         options = {**options, **_SHAPED_JACKET, "length": length}
+    elif _may_be_darted(draft, claims):
+        ease = min(float(options.get(room, _SHORT_SHIRT[room])), _SHORT_SHIRT[room])
+        options = {**options, **_SHORT_SHIRT, room: ease, "length": max(asked[0], 0.0)}
+        options.pop("hem_rise", None)
     elif asked[0] < 0 and draft.name not in _CLOSE_AT_BUST:  # which are close at the bust by themselves
         options[room] = min(float(options.get(room, _CROPPED_EASE_CM)), _CROPPED_EASE_CM)
     return replace(draft, options=tuple(options.items()))
+
+
+def _may_be_darted(draft: NamedDraft, claims: Sequence[Claim]) -> bool:
+    """Whether darts may shape it: a shirt with short sleeves would seem to be too tight with them."""
+    loose = any(c.name == "fit" and c.value in _LOOSE for c in claims)
+    short = any(c.name == "sleeves" and c.value in ("short", "cap", "none") for c in claims)
+    return draft.name == "shirt" and not loose and not short
 
 
 def _is_jacket(draft: NamedDraft) -> bool:

@@ -179,14 +179,26 @@ def _as_another(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     draft = on_tank_straps(draft, claims)
     if draft.name == _SWEATSHIRT and Claim("hood", "hood") in claims:
         return NamedDraft("hoodie", tuple([o for o in draft.options if o[0] in _OF_BANDED]))
-    if draft.name == "blazer" and Claim("collar", "none") in claims:
-        return _COLLARLESS
+    if draft.name == "blazer" and _bares_its_collar(claims):
+        short = float(dict(draft.options).get("length", 24.0)) < _SHORT_JACKET_CM
+        return _COLLARLESS if not short else _COLLARLESS_SHORT
     return draft
 
 
+def _bares_its_collar(claims: Sequence[Claim]) -> bool:
+    """Whether a jacket is to have no collar, as one with a round neck unless some collar is told of."""
+    collars = {claim.value for claim in claims if claim.name == "collar"}
+    return collars == {"none"} or (not collars and not _ROUND.isdisjoint(claims))
+
+
+_ROUND = frozenset({Claim("neckline", "round"), Claim("neckline", "crew")})
+_SHORT_JACKET_CM = 8.0
 _OF_BANDED = ("length", "chest_ease", "shoulder_extension", "sleeve_length", "arm_ease", "sleeve_end")
 _COLLARLESS = NamedDraft.parse(
-    "cardigan(length=21;chest_ease=11;neck_depth=16;opening=0;sleeve_end=27;closed_to=8)"
+    "cardigan(length=19;chest_ease=10;neck_depth=13;opening=0;sleeve_end=27;closed_to=8)"
+)
+_COLLARLESS_SHORT = NamedDraft.parse(
+    "cardigan(length=4;chest_ease=8;neck_depth=12;opening=0;sleeve_end=26;waist_shaping=2)"
 )
 _AT_WAIST = Claim("top_hem", "waist")
 _DARTED = Claim("bodice", "darted")

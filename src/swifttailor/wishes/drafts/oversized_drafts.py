@@ -19,6 +19,19 @@ _FITS: Mapping[str, Mapping[str, float]] = {
     "loose": {"chest_ease": 18.0, "length": 27.0, "shoulder_extension": 4.0, "arm_ease": 10.0},
 }
 """What such tops have at least, cm: a wide chest alone stands off the back, and ends at the waist."""
+_FITS_OF: Mapping[str, Mapping[str, Mapping[str, float]]] = {
+    "blazer": {
+        "oversized": {
+            "chest_ease": 22.0,
+            "length": 32.0,
+            "shoulder_extension": 3.5,
+            "arm_ease": 13.0,
+            "closed_to": 10.0,
+        },
+        "loose": {"chest_ease": 14.0, "length": 27.0, "shoulder_extension": 1.5, "arm_ease": 10.0},
+    }
+}
+"""The same of drafts whose shoulders are not to slope down the arms."""
 _WITH_SHOULDERS = frozenset({"chest_ease", "length", "shoulder_extension", "armhole_drop", "arm_ease"})
 _PLAIN = _WITH_SHOULDERS - {"shoulder_extension"}
 _OPTIONS: Mapping[str, frozenset[str]] = {
@@ -30,6 +43,7 @@ _OPTIONS: Mapping[str, frozenset[str]] = {
     "turtleneck": _PLAIN,
     "polo-shirt": _PLAIN,
     "tank-top": frozenset({"chest_ease", "length"}),
+    "blazer": (_WITH_SHOULDERS - {"armhole_drop"}) | {"closed_to"},
     "hooded-coat": _WITH_SHOULDERS - {"length"},
 }
 """Which of them each draft has."""
@@ -69,12 +83,13 @@ def oversized_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft
         return draft
     told_hem = any(claim.name in _HEMS for claim in claims)
     shaped = options.get(ARMHOLE, "set-in") != "set-in" or options.get("sleeve_shape", "plain") != "plain"
-    for name, least in _FITS[fits[0]].items():
+    for name, least in _FITS_OF.get(draft.name, _FITS)[fits[0]].items():
         if name not in known or (name == "length" and told_hem) or (shaped and name in _OF_SHOULDERS):
             continue
         least = min(least, _BARE_EASE_CM) if draft.name == "tank-top" and name == "chest_ease" else least
         options[name] = max(least, float(options.get(name, least)))
     options.pop("waist_shaping", None)
+    options |= {"waist_shaping": 0.0} if draft.name in _FITS_OF else {}
     if not shaped and fits[0] == "oversized" and draft.name in _SLEEVES and options.get("sleeves", True):
         told = [str(claim.value) for claim in claims if claim.name == "sleeves"]
         options |= _sleeves(draft.name, options, told)

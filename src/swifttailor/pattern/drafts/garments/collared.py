@@ -29,6 +29,9 @@ from swifttailor.pattern.pattern import Pattern
 
 _HEM_OPENING_CM = 1.5
 """How far the front edges of a shirt have moved back from the middle at the hem, below the last button."""
+_LEVEL_DIP_CM = 2.5
+"""So much longer is the back at the middle of the hem: blades and collar take it up, and it would end
+above the front else."""
 _INSET_CM = 1.5
 """How far the armholes of a sleeveless shirt lie inside the shoulder tips."""
 
@@ -80,7 +83,7 @@ class ShirtOptions(PoloShirtOptions):
     sleeve_shape: SleeveShapeOption = "plain"
     shoulder_extension: declared.ShoulderExtension = 0.0
     armhole: RaglanOption = "set-in"
-    hem_opening: declared.HemOpening = 4.0
+    hem_opening: declared.HemOpening = 0.0
     hem_rise: declared.HemRise = 0.0
     hem_dip: declared.TopHemDip = 0.0
 
@@ -116,7 +119,8 @@ def _lay_left(
         side_slits=options.side_slits,
         waist_shaping=options.waist_shaping,
         side_rise=options.hem_rise if isinstance(options, ShirtOptions) else 0.0,
-        back_dip=options.hem_dip if isinstance(options, ShirtOptions) else 0.0,
+        back_dip=_LEVEL_DIP_CM + (options.hem_dip if isinstance(options, ShirtOptions) else 0.0),
+        darted=True,
     )
     lay_loose_bodice(table, figure, bodice)
     collar.lay(table, figure)
@@ -173,6 +177,7 @@ class CoatOptions(BlazerOptions):
     waist_shaping: declared.WaistShaping = 0.0
     flare: declared.DressFlare = 10.0
     neck_depth: declared.LapelDepth = 24.0
+    opening: declared.OverlapOrOpening = 0.0
     closed_to: declared.ClosedTo = 30.0
     collar_width: declared.LapelCollarWidth = 6.0
     lapel_width: declared.LapelWidth = 8.5

@@ -47,7 +47,7 @@ class WrapDressOptions:
     skirt_length: declared.SkirtLength = 62.0
     skirt_flare: declared.SkirtFlare = 9.0
     hip_ease: declared.HipEase = 6.0
-    neck_widening: declared.NeckWidening = 1.5
+    neck_widening: declared.NeckWidening = 0.6
     neck_depth: CrossDepth = 24.0
     back_neck_depth: declared.BackNeckDepth = 2.5
     armhole_drop: declared.ArmholeDrop = 2.5
@@ -84,8 +84,8 @@ class WrapTopOptions:
 
     length: declared.TopLength = 18.0
     chest_ease: declared.BustEase = 3.0
-    waist_shaping: declared.WaistShaping = 2.0
-    neck_widening: declared.NeckWidening = 1.5
+    waist_shaping: declared.WaistShaping = 1.5
+    neck_widening: declared.NeckWidening = 0.6
     neck_depth: CrossDepth = 22.0
     back_neck_depth: declared.BackNeckDepth = 2.5
     armhole_drop: declared.ArmholeDrop = 2.0
