@@ -44,6 +44,7 @@ from swifttailor.wishes.drafts.swimsuits_as_asked import on_a_halter
 from swifttailor.wishes.drafts.tiers_as_asked import tiers_as_asked
 from swifttailor.wishes.drafts.tops_to_the_legs import is_long_top, to_the_legs_as_said
 from swifttailor.wishes.drafts.wound_skirts import wound_as_asked
+from swifttailor.wishes.text.flare_starts import flare_as_said
 from swifttailor.wishes.text.tier_heights import tier_as_said
 from swifttailor.wishes.trims.button_counts import closed_as_counted
 from swifttailor.wording.lexicon import Entry
@@ -125,7 +126,7 @@ def drafts_of(heard: Heard) -> tuple[NamedDraft, ...]:
     fitting = [loosened_as_asked(roomy_wrap_as_asked(d, sure, heard.never), sure) for d in fitting]
     long = is_long_top(heard)
     fitting = [straight_as_said(to_the_legs_as_said(d, heard.text, long=long), heard.text) for d in fitting]
-    fitting = [low_as_asked(draft, sure) for draft in gored_as_said(fitting, heard.text)]
+    fitting = [low_as_asked(draft, sure) for draft in gored_as_said(fitting, heard.text, sure)]
     fitting = [modest_as_asked(draft, heard.words, sure) for draft in fitting]
     fitting = [close_skirt_as_asked(draft, sure, _said_claims(heard)) for draft in fitting]
     if any(claim.name == "straps" for claim in sure) or any(_TIED in entry.trims for entry in entries):
@@ -140,7 +141,7 @@ def drafts_of(heard: Heard) -> tuple[NamedDraft, ...]:
     lacks = frozenset([lack.what for lack in heard.lacks])
     fitting = [with_details(draft, lacks, sure) for draft in fitting]
     fitting = [with_shirt_collar(draft, heard.text, lacks) for draft in fitting]
-    fitting = [short_flounce_as_asked(draft, sure) for draft in fitting]
+    fitting = [flare_as_said(short_flounce_as_asked(draft, sure), heard.text, sure) for draft in fitting]
     fitting = [tiers_as_asked(godets_as_asked(draft, sure), sure) for draft in fitting]
     fitting = [bubble_as_asked(draft, heard.lacks, sure) for draft in fitting]
     fitting = [wrapped_close_as_asked(draft, sure) for draft in wound_as_asked(fitting, sure)]
