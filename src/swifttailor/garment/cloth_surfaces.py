@@ -41,7 +41,7 @@ _MATT = frozenset(
 )
 _WOVEN, _REPEATS_CM = ("stripes", "checks", "plaid"), 48.0
 """Prints that go through to the wrong side, and a width over which they repeat."""
-ON_DARK = -1.3
+ON_DARK = -0.8
 """How much lighter seams are than dark cloth, in previews."""
 _COLLAR_STRENGTH, _COLLAR_WIDTH = 0.6, 1.5
 """Of the edges of collars there: what a collar is like is told by them, in small pictures as well."""
