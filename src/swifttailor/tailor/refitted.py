@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from swifttailor.body import Body
+from swifttailor.errors import SwiftTailorError
 from swifttailor.pattern import Pattern
 from swifttailor.tailor.answer import Answer
 
@@ -26,8 +27,18 @@ def refitted(answer: Answer, body: Body) -> Answer:
 
     if body.made_for is not None and answer.pattern.drafted_for == body.made_for:
         return answer
-    pattern = _drafted_anew(answer, body) or fit(answer.pattern, body)
+    pattern = _drafted_anew(answer, body) or _levelled(fit(answer.pattern, body), answer.pattern)
     return replace(answer, pattern=pattern, prepared=None, fitted_to=body.name)
+
+
+def _levelled(pattern: Pattern, before: Pattern) -> Pattern:
+    """A refitted pattern with a level hem, where it had one: circles grow wider and longer by different shares."""
+    from swifttailor.recutting.level_hems import has_level_hem, level_hem
+
+    try:
+        return level_hem(pattern, below_waist=True)[0] if has_level_hem(before) else pattern
+    except SwiftTailorError:
+        return pattern
 
 
 def _outgrows_short_sleeves(pattern: Pattern, body: Body) -> bool:
