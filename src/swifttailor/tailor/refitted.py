@@ -8,6 +8,7 @@ from swifttailor.body import Body
 from swifttailor.errors import SwiftTailorError
 from swifttailor.pattern import Pattern
 from swifttailor.tailor.answer import Answer
+from swifttailor.tailor.room_for_necks import with_room_for_the_neck
 
 _LARGE, _SHORT_CM = 1.3, 30.0
 """Times the bust of the default body; sleeves, shoulder tip to end."""
@@ -27,7 +28,10 @@ def refitted(answer: Answer, body: Body) -> Answer:
 
     if body.made_for is not None and answer.pattern.drafted_for == body.made_for:
         return answer
-    pattern = _drafted_anew(answer, body) or _levelled(fit(answer.pattern, body), answer.pattern)
+    pattern = _drafted_anew(answer, body)
+    if pattern is None:
+        roomy = with_room_for_the_neck(answer.pattern, body)
+        pattern = _levelled(fit(roomy, body), answer.pattern)
     return replace(answer, pattern=pattern, prepared=None, fitted_to=body.name)
 
 
