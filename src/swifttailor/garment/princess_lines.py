@@ -11,7 +11,7 @@ _PRINCESS, _FRONT = "princess seams", "ftorso"
 
 
 def darts_in_princess_seams(pattern: Pattern) -> frozenset[int]:
-    """Indices of the stitches that close darts in front where princess seams run: these hold what darts take."""
+    """Indices of the stitches that close darts in front, where princess seams take in what they do."""
     if _PRINCESS not in pattern.trims:
         return frozenset()
     return frozenset(

@@ -34,7 +34,7 @@ _BELL = 0.62
 _CONE = 0.95
 """The same of a skirt over shorts, which lies on the hips."""
 _BESIDE, _UNEVEN = 4.0, 9.0
-"""The hem of a sheer layer is where cloth so far beside it ends, degrees, where that differs by so much, cm."""
+"""A sheer layer ends where cloth so far beside it does, degrees, if that differs by so much, cm."""
 _EVEN_ROWS = 5
 """Over so many rows above and below is a skirt over shorts evened."""
 _SEWN = 14.0

@@ -36,7 +36,7 @@ def refitted(answer: Answer, body: Body) -> Answer:
 
 
 def _levelled(pattern: Pattern, before: Pattern) -> Pattern:
-    """A refitted pattern with a level hem, where it had one: circles grow wider and longer by different shares."""
+    """A refitted pattern with a level hem, where it had one: circles grow more in width than in length."""
     from swifttailor.recutting.level_hems import has_level_hem, level_hem
 
     try:

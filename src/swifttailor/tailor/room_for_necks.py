@@ -1,4 +1,4 @@
-"""Necklines and armholes of what is refitted to children, wide enough for necks and arms that are wide beside chests.
+"""Necklines and armholes of what is refitted to children, whose necks and arms are wide beside their chests.
 
 A garment grows and shrinks as the trunk does. A child of five has 0.6 of an adult's chest and 0.75 of the
 width of the neck: a close neckline would stand up around it, and narrow shoulders would fold under.
@@ -14,17 +14,17 @@ from swifttailor.pattern import Pattern
 from swifttailor.recutting.set_dimension import set_dimension
 
 _WIDER_BESIDE = 1.12
-"""Times as wide beside the chest as that of the default body a neck is that a close neckline has no room for."""
+"""So much wider than that of the default body, beside the chest, is a neck that needs more room."""
 _ROOM_CM, _DEPTH_CM, _DEEPER_CM = 1.0, 14.0, 2.0
-"""Between neck and neckline on each side when it is worn, and depth before refitting; by how much armholes are
-deeper, cm."""
+"""Between neck and neckline on each side when it is worn, and depth before refitting; and by how much deeper
+armholes are, cm."""
 
 
 def with_room_for_the_neck(pattern: Pattern, body: Body) -> Pattern:
     """A pattern whose neckline goes around the neck of a body that it is to be refitted to.
 
     Args:
-        pattern: Of the default body; what has sleeves, which hold it on the shoulders, a collar or a hood stays.
+        pattern: Of the default body; what has sleeves, a collar or a hood stays as it is.
         body: Whom it will be made for.
     """
     own, usual = body.measurements, Body.default().measurements

@@ -135,6 +135,9 @@ class NamedDraft:
         are = (*are, *(_OF_HIGH_HALTERS if high_halter else ()), *self._neck_to_the_eye)
         full = max(float(options.get("gathers", 1.0)), float(options.get("fullness", 1.0)))
         are = (*are, *((("skirt", "flared"),) if full >= FULL_GATHERS and not options.get(HEM_BAND) else ()))
+        round_ = max(float(options.get("skirt_fraction", 0.0)), float(options.get("fraction", 0.0)))
+        is_full = round_ >= 1.0 and full < FULL_GATHERS and not options.get("flounce")
+        are = (*are, *((("skirt", "gathered"),) if is_full and self.name in _ROUND_SKIRTS else ()))
         return (*are, *[claim for claims in shown for claim in claims])
 
     @property
@@ -234,6 +237,8 @@ _OF_DIPS = (
 )
 """A hem that is lower behind ends in two places."""
 _OF_POINTS = (("hem_shape", "pointed"), *_OF_DIPS[1:])
+_ROUND_SKIRTS = ("skater-dress", "strappy-dress", "strapless-dress", "circle-skirt", "shirt-dress")
+"""Drafts whose skirts are cut from a circle: a whole one falls in folds from its waist, as gathers do."""
 FULL_GATHERS = 1.8
 """Gathered skirts so many times as wide as their waist fall in folds, as flared ones do."""
 LEVEL_NECK_CM = 5.0

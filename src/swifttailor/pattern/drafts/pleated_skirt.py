@@ -160,7 +160,7 @@ class _Half:
         return start + (end - start) * down / self.shape.length
 
     def _end(self, k: int) -> tuple[float, float]:
-        """Where fold `k` meets the hem: all folds are as long as the middle, or the sides would hang lower."""
+        """Where fold `k` meets the hem: folds are as long as the middle, or the sides would hang lower."""
         x, length = self._fold(k, 0.0), self.shape.length
         share = length / math.hypot(self._fold(k, length) - x, length)
         return x + share * (self._fold(k, length) - x), -share * length

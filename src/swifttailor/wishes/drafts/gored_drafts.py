@@ -23,7 +23,7 @@ _USUAL_CM, _HIP_CM = 66.0, 2.5
 
 _TRUMPET = re.compile(r"(?<!\w)(?:mermaid|trumpet|fishtail)(?!\w)", re.IGNORECASE)
 _LONG_CM, _WIDE_CM = 96.0, 100.0
-"""Length of those that names say are long, and how much wider than the hips the hem is of what is close there, cm."""
+"""Length of those that are long by their name, and by how much their hem is wider than the hips, cm."""
 _CM: Mapping[str, tuple[float, float]] = {
     "knee": (60.0, 40.0),
     "below the knee": (66.0, 44.0),
@@ -35,9 +35,7 @@ _CM: Mapping[str, tuple[float, float]] = {
 """Of told lengths how long they are, and where they begin to flare, cm."""
 
 
-def gored_as_said(
-    drafts: Sequence[NamedDraft], text: str, claims: Sequence[Claim] = ()
-) -> list[NamedDraft]:
+def gored_as_said(drafts: Sequence[NamedDraft], text: str, claims: Sequence[Claim] = ()) -> list[NamedDraft]:
     """Gored skirts, close over the hips and flared from the knee where a text says so.
 
     They come in place of those with a flounce from the knee, which have no gores.

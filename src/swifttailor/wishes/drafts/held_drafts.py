@@ -71,6 +71,7 @@ CIRCLES: Mapping[str, float] = {
     "more than a circle": 1.25,
 }
 """Parts of a circle, by what a skirt is called."""
+_ROUND, _GATHERED = Claim("skirt", "circle"), Claim("skirt", "gathered")
 _DROPPED = "drop-waist-dress"
 _STRAIGHT: Mapping[str, float] = {"fullness": 1.0, "skirt_flare": 0.0}
 """Of a dropped skirt that is to be straight: gathered ones that narrow to the hem stand out above it."""
@@ -117,6 +118,9 @@ def _held(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     if draft.name in _JUMPSUITS.values():
         return draft if hold == own else _with(_JUMPSUITS[hold], draft, _OF_LEGS)
     options, skirt = dict(draft.options), _own_skirt(draft)
+    if _ROUND in claims and _GATHERED in claims:  # what is as full as that needs no gathers
+        skirt, claims = "circle", [claim for claim in claims if claim != _GATHERED]
+        options.pop("gathers", None)
     for claim in claims:
         shape = _asked_skirt(claim)
         if shape == "circle" and skirt in ("flounce", "gathered"):

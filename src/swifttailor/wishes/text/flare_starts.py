@@ -1,4 +1,4 @@
-"""Where a close skirt begins to flare, in figures: "flare starting 25 cm above the hem", "a 20 cm flounce"."""
+"""Where a close skirt begins to flare, in figures: "flaring 25 cm above the hem", "a 20 cm flounce"."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ _LENGTHS: Mapping[str, tuple[str, float]] = {
     "mermaid-skirt": ("length", 96.0),
     "mermaid-dress": ("skirt_length", 100.0),
 }
-"""Drafts that are close above and flare below: the option of their length, and its value where none is set, cm."""
+"""Drafts that are close above and flare below: the option of their length, and its usual value, cm."""
 _CLOSE, _HIGHEST_CM, _LEAST_BELOW_CM = "close", 30.0, 8.0
 _KNEE_CM, _HIP_CM = 58.0, 20.0
 """How far below the waist the knee and the hips are, cm."""

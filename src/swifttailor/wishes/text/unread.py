@@ -14,9 +14,9 @@ from pathlib import Path
 
 from swifttailor.describing.differences import Change, Gain, Step, subject_of
 from swifttailor.wishes.text.clauses import clauses
+from swifttailor.wishes.text.flare_starts import flare_figures
 from swifttailor.wishes.text.mentions import find_mentions
 from swifttailor.wishes.text.text_tokens import LONGEST_TEXT
-from swifttailor.wishes.text.flare_starts import flare_figures
 from swifttailor.wishes.text.tier_heights import tier_figures
 from swifttailor.wording.instructions.requests import gain_words, step_words
 from swifttailor.wording.wordings import all_wordings
