@@ -5,10 +5,12 @@ from __future__ import annotations
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
+from swifttailor.garment import trim_layers
 from swifttailor.garment.garment import Garment
 from swifttailor.garment.layer_surfaces import layer_surfaces
 from swifttailor.garment.part_looks import PartLook, looks_of_panels
@@ -18,6 +20,7 @@ from swifttailor.garment.trim_parts import trim_parts
 from swifttailor.garment_sewer.sewer import GarmentSewer
 from swifttailor.pattern.drafts import draft
 from swifttailor.pattern.trims.layers import LAYERS
+from swifttailor.pattern.trims.shapes import Layer
 
 NOT_AROUND = frozenset({"train", "long train", "back cape", "outer skirt", "bustle"})
 """Layers that do not hang around a skirt down to its hem."""
@@ -113,3 +116,25 @@ def test_a_skirt_over_the_legs_hides_them_to_where_they_end(name):
     around = np.hypot(*skirt.vertices[:, [0, 2]].T)
     low = skirt.vertices[:, 1] < np.quantile(skirt.vertices[:, 1], 0.1)
     assert around[low].min() > np.quantile(around[~low], 0.25)  # it falls outward, whatever is cut out below
+
+
+@pytest.mark.parametrize(("points", "pointed"), [(20.0, True), (3.0, False)])
+def test_a_sheer_layer_ends_where_a_pointed_hem_does(monkeypatch, points, pointed):
+    around = np.radians(np.arange(0.0, 360.0, 2.0))
+    low = 40.0 + points * np.abs(np.sin(3 * around))
+    places = np.stack([30.0 * np.sin(around), low, -30.0 * np.cos(around)], axis=1)
+    above = places + np.array([0.0, 30.0, 0.0])
+    garment = SimpleNamespace(flat_positions=np.concatenate([places, above]))
+    monkeypatch.setattr(trim_layers, "around_trunk", lambda _: np.ones(len(places) * 2, bool))
+    layer = Layer("tulle layers", "skirt_back", 90.0, 40.0, opacity=0.7)
+    ends = trim_layers._ends(garment, layer, np.zeros(2), np.radians(np.linspace(-180.0, 180.0, 91)))
+    assert (ends is not None) is pointed
+    if ends is not None:
+        assert ends.min() == pytest.approx(40.0, abs=1.0) and ends.max() > 55.0
+    assert trim_layers._ends(garment, replace(layer, opacity=1.0), np.zeros(2), around) is None
+
+
+def test_a_skirt_over_shorts_has_no_steps():
+    reach = np.repeat([[10.0], [14.0]], 17, axis=0) * np.ones((1, 4))
+    even = trim_layers._evened(reach)
+    assert np.abs(np.diff(even, axis=0)).max() < 0.5 and (even >= reach - 1e-9).all()

@@ -50,11 +50,15 @@ def test_is_put_on(text, trim):
         ("a lined black dress", "fitted-dress"),
         ("a cape", "cape"),
         ("a cropped jacket with a lining", "blazer"),
-        ("a tulle skirt", "gathered-skirt"),
+        ("a satin skirt", "gathered-skirt"),
     ],
 )
 def test_nothing_is_put_on_unasked(text, draft):
     assert (LAYERS | {"cups"}).isdisjoint(first_trims(text, draft))
+
+
+def test_a_skirt_of_tulle_has_layers():
+    assert "tulle layers" in first_trims("a tulle skirt", "gathered-skirt")
 
 
 @pytest.mark.parametrize(

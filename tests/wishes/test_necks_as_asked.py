@@ -13,6 +13,7 @@ from swifttailor.wishes.reader import WishReader
 
 ROUND, CREW, V = Claim("neckline", "round"), Claim("neckline", "crew"), Claim("neckline", "v")
 HIGH, PLUNGING = Claim("neck_depth", "high"), Claim("neck_depth", "plunging")
+SQUARE, TEN = Claim("neckline", "square"), Claim("neck_depth_cm", 10.0)
 LOW = Claim("neck_depth", "low")
 OPEN_BACK, EIGHT, TWENTY = (
     Claim("back_depth", "open"),
@@ -39,7 +40,10 @@ def reader():
         ("fitted-dress", [ROUND, Claim("neckline", "scoop")], "fitted-dress"),
         ("sweatshirt(neck_widening=3)", [ROUND], "sweatshirt(neck_widening=3)"),
         ("skater-dress", [V], "skater-dress(neckline=v;neck_widening=0;neck_depth=18)"),
-        ("jumpsuit", [V, TWENTY], "jumpsuit"),
+        ("jumpsuit", [V, TWENTY], "jumpsuit(neckline=v;neck_depth=25)"),
+        ("skater-dress", [SQUARE, TEN], "skater-dress(neckline=square;neck_depth=15)"),
+        ("skater-dress", [SQUARE, TWENTY], "skater-dress"),
+        ("skater-dress", [TEN], "skater-dress(neck_depth=15)"),
         ("jumpsuit", [V, LOW], "jumpsuit(neckline=v;neck_widening=0.5;neck_depth=22)"),
         ("skater-dress", [HIGH], "skater-dress(neck_widening=-1.2;neck_depth=9.5;back_neck_depth=2.5)"),
         ("jumpsuit", [V, PLUNGING], "jumpsuit(neckline=v;neck_widening=1;neck_depth=31)"),
@@ -91,3 +95,9 @@ def test_broad_straps_do_not_narrow_a_square_or_heart_shaped_neck():
 def test_a_depth_of_so_many_centimetres_is_no_size_of_the_neck(reader):
     told = [w.change.claim for w in hear_description("v neck 15 cm deep, sleeveless top", reader).sure]
     assert Claim("neck_depth_cm", 15.0) in told
+
+
+def test_told_depths_are_as_they_are_seen_on_a_body():
+    cut = neck_as_asked(NamedDraft("skater-dress"), [SQUARE, TEN])
+    assert ("neck_depth_cm", 10.0) in cut.is_to_the_eye
+    assert not any(name == "neck_depth_cm" for name, _ in NamedDraft("skater-dress").is_to_the_eye)

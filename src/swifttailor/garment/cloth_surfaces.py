@@ -12,6 +12,7 @@ from swifttailor.garment.cloth_color import cloth_color
 from swifttailor.garment.cloth_print import cloth_at
 from swifttailor.garment.collar_lines import is_of_collar, seams_within_collars
 from swifttailor.garment.double_breasted import seams_under_a_front
+from swifttailor.garment.princess_lines import darts_in_princess_seams
 from swifttailor.garment.trim_colors import DARKEST, is_dark
 from swifttailor.pattern.centre_seams import needless_centre_seams
 from swifttailor.render.color import GREY, Color, to_linear
@@ -42,7 +43,7 @@ _MATT = frozenset(
 )
 _WOVEN, _REPEATS_CM = ("stripes", "checks", "plaid"), 48.0
 """Prints that go through to the wrong side, and a width over which they repeat."""
-ON_DARK = -1.3
+ON_DARK = -0.8
 """How much lighter seams are than dark cloth, in previews."""
 _COLLAR_STRENGTH, _COLLAR_WIDTH = 0.6, 1.5
 """Of the edges of collars there: what a collar is like is told by them, in small pictures as well."""
@@ -268,6 +269,7 @@ def _seam_edges(garment: Garment, as_worn: bool) -> Array:
     if as_worn:
         needless = frozenset(needless) | seams_within_collars(garment.pattern)
         needless |= seams_under_a_front(garment.pattern)
+        needless |= darts_in_princess_seams(garment.pattern)
     parts = [
         np.stack([s.vertices[:-1], s.vertices[1:]], axis=1)
         for s in garment.seams

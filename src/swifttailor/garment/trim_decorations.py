@@ -37,7 +37,7 @@ _SCALLOPS, _SCALLOP_WIDTH = "scalloped edge", 5.0
 """A border of arcs alone, and how wide they are, cm."""
 _ARC, _SCALLOP, _LACE_ROWS = 2.6, 0.3, 9
 """Of lace: width of the arcs of its border, how deep they are as a part of it, and its rows of meshes."""
-_THREADS_APART, _THREAD = 0.8, 0.18
+_THREADS_APART, _THREAD = 0.5, 0.17
 """Of fringe: distance of its threads and half their width, cm."""
 _FROM_LEVEL, _LEAST_POINTS, _DROOPS = 0.3, 4, 0.45
 """From which part of the height of an armhole on a frill lies over the shoulder, along so many points, and

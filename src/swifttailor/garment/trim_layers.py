@@ -31,6 +31,12 @@ _SWING = 2.6
 """How far folds swing at the hem, cm."""
 _BELL = 0.62
 """Layers widen sooner below the waist than a cone does: a power of the way down."""
+_CONE = 0.95
+"""The same of a skirt over shorts, which lies on the hips."""
+_BESIDE, _UNEVEN = 4.0, 9.0
+"""A sheer layer ends where cloth so far beside it does, degrees, if that differs by so much, cm."""
+_EVEN_ROWS = 5
+"""Over so many rows above and below is a skirt over shorts evened."""
 _SEWN = 14.0
 """How much of a train goes under at both sides, degrees."""
 _LEAVES, _POINTED = 0.5, 1.6
@@ -131,15 +137,44 @@ def _over_skirt(garment: Garment, layer: Layer, behind: Floats) -> tuple[Floats,
         return None
     reach, axis = found
     if layer.trim == _OVER_LEGS:  # it hangs from the hips, whatever is cut out below them
-        reach = np.maximum.accumulate(reach, axis=0)
+        reach = _evened(np.maximum.accumulate(reach, axis=0))
     share = np.linspace(0.0, 1.0, _ROWS)[:, None]
     first, last = reach[0], np.maximum(reach[-1], reach[-1].mean())
-    wide = first + (last + layer.flare - first) * share**_BELL
+    bell = _CONE if layer.trim == _OVER_LEGS else _BELL
+    wide = first + (last + layer.flare - first) * share**bell
     wide = reach + layer.flare * share * _at_sides(layer, behind) if layer.puffs else wide
     folds = 0.0 if layer.hoops else _SWING * share * _waves(behind)
     radius = np.maximum(wide, reach) + _OFF + folds + _puffs(layer, share, behind)
-    vertices = _around(axis, behind, radius, np.broadcast_to(heights[:, None], radius.shape))
+    level = np.broadcast_to(heights[:, None], radius.shape)
+    ends = _ends(garment, layer, axis, behind)
+    if ends is not None:
+        level = layer.height + (ends - layer.height) * share
+    vertices = _around(axis, behind, radius, level)
     return vertices, _laid_out(vertices, behind, float(radius[-1].mean()))
+
+
+def _evened(reach: Floats) -> Floats:
+    """(rows, n) without steps from row to row, where the cloth below has edges; nowhere less than it was."""
+    wide = np.pad(reach, ((_EVEN_ROWS, _EVEN_ROWS), (0, 0)), mode="edge")
+    rows = np.arange(len(reach))
+    mean = np.mean([wide[rows + k] for k in range(2 * _EVEN_ROWS + 1)], axis=0)
+    return mean + np.maximum(reach - mean, 0.0).max(axis=0)
+
+
+def _ends(garment: Garment, layer: Layer, axis: Array, behind: Floats) -> Floats | None:
+    """(n,) where the cloth below ends in each direction, cm, where that is uneven: a hem in points."""
+    if layer.opacity >= 1.0:
+        return None
+    points = garment.flat_positions[around_trunk(garment)]
+    points = points[points[:, 1] < layer.height]
+    ways = np.arctan2(points[:, 0] - axis[0], axis[1] - points[:, 2])
+    found = []
+    for way in behind:
+        apart = np.abs((ways - way + np.pi) % (2 * np.pi) - np.pi)
+        near = points[apart < np.radians(_BESIDE), 1]
+        found.append(near.min() if len(near) else layer.low)
+    ends = np.array(found)
+    return ends if ends.max() - ends.min() > _UNEVEN else None
 
 
 def _puffs(layer: Layer, share: Floats, behind: Floats) -> Floats:

@@ -67,6 +67,13 @@ def level_hem(pattern: Pattern, *, below_waist: bool = False) -> tuple[Pattern, 
     return pattern, ""
 
 
+def has_level_hem(pattern: Pattern) -> bool:
+    """Whether a pattern has a skirt whose hem is everywhere as far from its upper edge."""
+    cutter = Cutter(pattern)
+    facts = hem_below_waist(cutter) if cutter.facts.skirt is not None else None
+    return facts is not None and _is_level(facts)
+
+
 def _hem_of(cutter: Cutter, below_waist: bool) -> HemFacts | None:
     found = hem_below_waist(cutter) if below_waist else None
     return cutter.facts.hem if found is None else found

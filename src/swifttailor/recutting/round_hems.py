@@ -19,6 +19,8 @@ from swifttailor.recutting.table.cutter import Cutter
 
 FLATTEST = 1e-4
 """Height of an arc over its chord, below which it is a line."""
+BENT = 1.02
+"""Length of a side over its chord, up to which it may be drawn as a line."""
 SYMMETRIC_CM = 1.0
 """The hem's ends may be so unequally far from the middle of the panel."""
 
@@ -46,7 +48,7 @@ def _lengths(panel: Panel, hem: int) -> tuple[float, float] | None:
     """From the waist to the hem in the middle and along the sides, cm; None where the panel is another."""
     count = len(panel.edges)
     before, after = (hem - 1) % count, (hem + 1) % count
-    if count < 4 or not all(isinstance(panel.edges[k].curve, Line) for k in (before, after)):
+    if count < 4 or not all(_is_straight(panel, k) for k in (before, after)):
         return None
     starts, _ = _sides(panel, hem)
     ends = panel.chord(hem)
@@ -56,6 +58,15 @@ def _lengths(panel: Panel, hem: int) -> tuple[float, float] | None:
     top, bottom = _middle(panel, hem)
     sides = np.linalg.norm(ends - starts, axis=1)
     return float(np.linalg.norm(bottom - top)), float(sides.mean())
+
+
+def _is_straight(panel: Panel, number: int) -> bool:
+    """Whether an edge is a line, or bends so little that it may be one: sides of what was refitted."""
+    if isinstance(panel.edges[number].curve, Line):
+        return True
+    points = panel.sample_edge(number, 17)
+    along = float(np.linalg.norm(np.diff(points, axis=0), axis=1).sum())
+    return along <= BENT * float(np.linalg.norm(points[-1] - points[0]))
 
 
 def _sides(panel: Panel, hem: int) -> tuple[Floats, Floats]:
@@ -91,4 +102,6 @@ def _redrawn(panel: Panel, hem: int, length: float) -> Panel:
         curve = Arc(radius, large=abs(height) > 0.5, right=height < 0)
     edges = list(panel.edges)
     edges[hem] = replace(edges[hem], curve=curve)
+    for k in ((hem - 1) % count, (hem + 1) % count):
+        edges[k] = replace(edges[k], curve=Line())
     return replace(panel, vertices=vertices, edges=tuple(edges))

@@ -5,8 +5,10 @@ from __future__ import annotations
 from dataclasses import replace
 
 from swifttailor.body import Body
+from swifttailor.errors import SwiftTailorError
 from swifttailor.pattern import Pattern
 from swifttailor.tailor.answer import Answer
+from swifttailor.tailor.room_for_necks import with_room_for_the_neck
 
 _LARGE, _SHORT_CM = 1.3, 30.0
 """Times the bust of the default body; sleeves, shoulder tip to end."""
@@ -26,8 +28,21 @@ def refitted(answer: Answer, body: Body) -> Answer:
 
     if body.made_for is not None and answer.pattern.drafted_for == body.made_for:
         return answer
-    pattern = _drafted_anew(answer, body) or fit(answer.pattern, body)
+    pattern = _drafted_anew(answer, body)
+    if pattern is None:
+        roomy = with_room_for_the_neck(answer.pattern, body)
+        pattern = _levelled(fit(roomy, body), answer.pattern)
     return replace(answer, pattern=pattern, prepared=None, fitted_to=body.name)
+
+
+def _levelled(pattern: Pattern, before: Pattern) -> Pattern:
+    """A refitted pattern with a level hem, where it had one: circles grow more in width than in length."""
+    from swifttailor.recutting.level_hems import has_level_hem, level_hem
+
+    try:
+        return level_hem(pattern, below_waist=True)[0] if has_level_hem(before) else pattern
+    except SwiftTailorError:
+        return pattern
 
 
 def _outgrows_short_sleeves(pattern: Pattern, body: Body) -> bool:

@@ -107,7 +107,9 @@ class NamedDraft:
         bib = tuple([("kind", kind) for kind in self.without_bib]) or bib
         angular = dict(self.options).get(NECKLINE) in ANGULAR
         strapped = (bib or self.name == "bodysuit") and STRAP_WIDTH in dict(self.options)
-        broad = (("straps", "wide"),) if angular or strapped else ()
+        wide = self.name == "strappy-dress" and float(dict(self.options).get(STRAP_WIDTH, 0.0)) >= WIDE_CM
+        broad = (("straps", "wide"),) if angular or strapped or wide else ()
+        broad = (*broad, *(_OF_WIDE_STRAPS if wide else ()))
         high = (("slit_size", "high"),) if float(dict(self.options).get(SIDE_SLITS, 0.0)) >= HIGH_CM else ()
         wings = _OF_WINGS if dict(self.options).get(ARMHOLE) == "cut-in-one" else ()
         options = dict(self.options)
@@ -130,13 +132,28 @@ class NamedDraft:
         shown = (_OF_STANDS if stands else (), tall, slits, falls, bib, broad, high, wings, hem, legs)
         are = _HALTER if options.get("halter") else DRAFTS_ARE.get(self.name, ())
         high_halter = options.get("halter") and float(options.get("neck_depth", _V_CM)) < _V_CM
-        are = (*are, *(_OF_HIGH_HALTERS if high_halter else ()))
+        are = (*are, *(_OF_HIGH_HALTERS if high_halter else ()), *self._neck_to_the_eye)
+        full = max(float(options.get("gathers", 1.0)), float(options.get("fullness", 1.0)))
+        are = (*are, *((("skirt", "flared"),) if full >= FULL_GATHERS and not options.get(HEM_BAND) else ()))
+        round_ = max(float(options.get("skirt_fraction", 0.0)), float(options.get("fraction", 0.0)))
+        is_full = round_ >= 1.0 and full < FULL_GATHERS and not options.get("flounce")
+        are = (*are, *((("skirt", "gathered"),) if is_full and self.name in _ROUND_SKIRTS else ()))
         return (*are, *[claim for claims in shown for claim in claims])
+
+    @property
+    def _neck_to_the_eye(self) -> tuple[tuple[str, float], ...]:
+        """How deep the neckline is seen to be on a body, cm."""
+        depth = dict(self.options).get("neck_depth")
+        if depth is None or dict(self.options).get("halter") or self.name in DRAFTS_ARE:
+            return ()
+        return (("neck_depth_cm", round(float(depth) - LEVEL_NECK_CM, 2)),)
 
     @property
     def _tiers_to_the_eye(self) -> tuple[tuple[str, str | float], ...]:
         """Of tiers below a close part, which is no tier itself."""
         options = dict(self.options)
+        if self.name == "gored-skirt" and options.get("close"):
+            return (("skirt", "flared"), ("hips", "close"))
         close = options.get("close") if self.name == "tiered-skirt" else options.get("tiers")
         if not close or self.name not in ("tiered-skirt", "mermaid-dress"):
             wide = self.name == "tiered-skirt" and float(options.get("fullness", 0.0)) >= FULL_TIERS
@@ -167,6 +184,8 @@ HOODED = ("collar", "hood")
 """The option of a hood instead of one."""
 ROLLED = ("collar", "rolled")
 """The option of one that is turned down over itself."""
+WIDE_CM, _OF_WIDE_STRAPS = 4.5, (("neckline", "square"), ("shoulders", "both"))
+"""Straps that are seen to be wide, and what they make of the straight edge between them."""
 STRAP_WIDTH = "strap_width"
 """The option of the straps of bibs."""
 HEM_RISE, CURVED_HEM = "hem_rise", "curved_hem"
@@ -218,6 +237,12 @@ _OF_DIPS = (
 )
 """A hem that is lower behind ends in two places."""
 _OF_POINTS = (("hem_shape", "pointed"), *_OF_DIPS[1:])
+_ROUND_SKIRTS = ("skater-dress", "strappy-dress", "strapless-dress", "circle-skirt", "shirt-dress")
+"""Drafts whose skirts are cut from a circle: a whole one falls in folds from its waist, as gathers do."""
+FULL_GATHERS = 1.8
+"""Gathered skirts so many times as wide as their waist fall in folds, as flared ones do."""
+LEVEL_NECK_CM = 5.0
+"""So much of what a neckline is cut deep lies nearly level around a neck, which leans forward."""
 BLOUSING_CM = 30.0
 """With so much room at the knee, legs that end in cuffs hang over them."""
 _OF_BLOUSING = (("legs", "tapered"), ("legs", "wide"), ("hips", "loose"))

@@ -125,21 +125,21 @@ class _Half:
 
     def lay(self, table: CuttingTable, k: int, top_y: float, *, under: bool = False) -> None:
         """Lays strip `k`, or what is folded away between it and the one before."""
-        length, hidden = self.shape.length, k > 0
+        hidden = k > 0
         depth = (
             min(self.shape.depth, _DEEPEST * self.top / self.shape.strips_of(self.face)) if hidden else 0.0
         )
         drop = _TUCK_DROP_CM if hidden else 0.0
         left = (self._fold(k, drop) - depth, -drop)
-        below = self._fold(k, length) - depth
+        below = (self._end(k)[0] - depth, self._end(k)[1])
         right = k if under else k + 1
-        outline = Outline(below, -length).line("hem", self._fold(right, length), -length)
+        outline = Outline(*below).line("hem", *self._end(right))
         outline.line("right", self._fold(right, 0.0), 0.0)
         if not under:
             outline.line("top", self._fold(k, 0.0), 0.0)
         if hidden:
             outline.line("tuck", *left)
-        outline.line("left", below, -length)
+        outline.line("left", *below)
         ends = (left[0], self._fold(right, 0.0))
         place, turn = self._place(
             *ends, lift=_LIFT_CM if hidden else 0.0, inside=_INSIDE_CM if under else 0.0
@@ -158,6 +158,12 @@ class _Half:
         strips = self.shape.strips_of(self.face)
         start, end = ((k / strips - 0.5) * width for width in (self.top, self.hem))
         return start + (end - start) * down / self.shape.length
+
+    def _end(self, k: int) -> tuple[float, float]:
+        """Where fold `k` meets the hem: folds are as long as the middle, or the sides would hang lower."""
+        x, length = self._fold(k, 0.0), self.shape.length
+        share = length / math.hypot(self._fold(k, length) - x, length)
+        return x + share * (self._fold(k, length) - x), -share * length
 
     def _place(self, left: float, right: float, *, lift: float, inside: float) -> tuple[Floats, float]:
         """Where (x, z) the local origin of a strip goes, and how far it is turned about y, degrees."""

@@ -21,7 +21,7 @@ from swifttailor.pattern.trims.free_edges import (
 from swifttailor.pattern.trims.front_view import front_edge
 from swifttailor.pattern.trims.shapes import Bow, Frill, StripKind, Trim
 
-_NECK_FRILL, _SLEEVE_FRILL, _HEM_FRILL, _FRINGE = 4.0, 5.0, 8.0, 12.0
+_NECK_FRILL, _SLEEVE_FRILL, _HEM_FRILL, _FRINGE = 4.0, 5.0, 8.0, 10.0
 """How far each goes beyond its edge, cm."""
 _FRONT_FRILL, _FRILLED_LEAST = 4.5, 15.0
 """Depth of frills down the front, and the shortest seam that has them, cm."""

@@ -57,7 +57,7 @@ _CUTS: Mapping[str, _Cut] = {
     "tulle overskirt": _Cut(flare=14.0, reach=150.0, opacity=0.55),
     "tulle layers": _Cut(flare=13.0, opacity=0.7),
     "peplum": _Cut(flare=4.0, long=18.0),
-    _OVER_LEGS: _Cut(flare=9.0, long=28.0),
+    _OVER_LEGS: _Cut(flare=5.0, long=28.0),
     "back cape": _Cut(flare=6.0, reach=80.0, from_shoulders=True),
     "bustle": _Cut(flare=6.0, reach=88.0, long=52.0, puffs=3, puff=11.0),
     "hoops": _Cut(flare=20.0, hoops=4),

@@ -9,7 +9,7 @@ from swifttailor.pattern.trims.front_view import FrontView
 from swifttailor.pattern.trims.shapes import Trim
 
 _SIDES = (("left", 1.0), ("right", -1.0))
-_SEAM = 0.12
+_SEAM = 0.2
 """Half the width of a seam as it is drawn, cm."""
 _AT_WAIST, _AT_HEM = 0.42, 0.42
 """Where princess seams lie at the waist and at the hem, as parts of half the width."""

@@ -17,6 +17,7 @@ from swifttailor.wishes.drafts.close_skirts import close_skirt_as_asked
 from swifttailor.wishes.drafts.close_wraps import roomy_wrap_as_asked, wrapped_close_as_asked
 from swifttailor.wishes.drafts.drafts_as_asked import draft_as_asked
 from swifttailor.wishes.drafts.drafts_of_names import covers, draft_of_kind, draft_of_name
+from swifttailor.wishes.drafts.fitted_dresses import fitted_as_asked
 from swifttailor.wishes.drafts.godets_as_asked import godets_as_asked
 from swifttailor.wishes.drafts.gored_drafts import gored_as_said
 from swifttailor.wishes.drafts.hearted_drafts import hearted_as_asked
@@ -30,6 +31,7 @@ from swifttailor.wishes.drafts.mandarin_collars import (
     with_mandarin_collar,
 )
 from swifttailor.wishes.drafts.modest_necks import modest_as_asked
+from swifttailor.wishes.drafts.one_collar import with_one_collar
 from swifttailor.wishes.drafts.opened_drafts import opened_as_asked
 from swifttailor.wishes.drafts.oversized_drafts import oversized_as_asked
 from swifttailor.wishes.drafts.pleated_dresses import pleats_as_asked
@@ -44,6 +46,7 @@ from swifttailor.wishes.drafts.swimsuits_as_asked import on_a_halter
 from swifttailor.wishes.drafts.tiers_as_asked import tiers_as_asked
 from swifttailor.wishes.drafts.tops_to_the_legs import is_long_top, to_the_legs_as_said
 from swifttailor.wishes.drafts.wound_skirts import wound_as_asked
+from swifttailor.wishes.text.flare_starts import flare_as_said
 from swifttailor.wishes.text.tier_heights import tier_as_said
 from swifttailor.wishes.trims.button_counts import closed_as_counted
 from swifttailor.wording.lexicon import Entry
@@ -95,15 +98,6 @@ _OPEN_JACKET = NamedDraft.parse("cardigan(length=22;chest_ease=14;neck_depth=16;
 _CLOSINGS = frozenset({"zip", "buttons"})
 _STRAPLESS = ("bandeau", "bustier", "strapless-dress", "strapless-jumpsuit")
 _BUSTIER, _STRAPS, _TIED = "bustier", ("straps", True), "shoulder bows"
-_SHAWL = ("lapels", "shawl")
-_SHAWL_CARDIGAN = NamedDraft(
-    "blazer", (_SHAWL, ("chest_ease", 13.0), ("waist_shaping", 0.5), ("neck_depth", 28.0))
-)
-"""A cardigan with a shawl collar is cut as a jacket of that collar is."""
-_MAY_BE_COLLARED = (
-    *("drop-waist-dress", "jumpsuit", "shift-dress", "swing-dress", "fitted-dress"),
-    *("shirt", "polo-shirt", "shirt-dress"),
-)
 
 
 def drafts_of(heard: Heard) -> tuple[NamedDraft, ...]:
@@ -125,8 +119,9 @@ def drafts_of(heard: Heard) -> tuple[NamedDraft, ...]:
     fitting = [loosened_as_asked(roomy_wrap_as_asked(d, sure, heard.never), sure) for d in fitting]
     long = is_long_top(heard)
     fitting = [straight_as_said(to_the_legs_as_said(d, heard.text, long=long), heard.text) for d in fitting]
-    fitting = [low_as_asked(draft, sure) for draft in gored_as_said(fitting, heard.text)]
+    fitting = [low_as_asked(draft, sure) for draft in gored_as_said(fitting, heard.text, sure)]
     fitting = [modest_as_asked(draft, heard.words, sure) for draft in fitting]
+    fitting = [fitted_as_asked(draft, sure, _likely_claims(heard)) for draft in fitting]
     fitting = [close_skirt_as_asked(draft, sure, _said_claims(heard)) for draft in fitting]
     if any(claim.name == "straps" for claim in sure) or any(_TIED in entry.trims for entry in entries):
         fitting = [_on_straps(draft) for draft in fitting]
@@ -140,7 +135,7 @@ def drafts_of(heard: Heard) -> tuple[NamedDraft, ...]:
     lacks = frozenset([lack.what for lack in heard.lacks])
     fitting = [with_details(draft, lacks, sure) for draft in fitting]
     fitting = [with_shirt_collar(draft, heard.text, lacks) for draft in fitting]
-    fitting = [short_flounce_as_asked(draft, sure) for draft in fitting]
+    fitting = [flare_as_said(short_flounce_as_asked(draft, sure), heard.text, sure) for draft in fitting]
     fitting = [tiers_as_asked(godets_as_asked(draft, sure), sure) for draft in fitting]
     fitting = [bubble_as_asked(draft, heard.lacks, sure) for draft in fitting]
     fitting = [wrapped_close_as_asked(draft, sure) for draft in wound_as_asked(fitting, sure)]
@@ -176,6 +171,10 @@ def _told_claims(heard: Heard) -> list[Claim]:
     return [w.change.claim for w in heard.sure if isinstance(w.change, Gain)]
 
 
+def _likely_claims(heard: Heard) -> list[Claim]:
+    return [w.change.claim for w in heard.likely if isinstance(w.change, Gain)]
+
+
 def _sure_claims(heard: Heard) -> list[Claim]:
     """What is told, and what goes with it where nothing else is: bare shoulders, a neck that stands."""
     sure = _told_claims(heard)
@@ -203,7 +202,7 @@ def _begun(heard: Heard, entries: Sequence[Entry], sure: Sequence[Claim]) -> lis
         kind, sure = "top", [claim for claim in sure if claim.name != "skirt_hem"]
     named = [draft for entry in entries for draft in entry.drafts if draft.kind == kind]
     named = _of_coats(named, entries)
-    named = _with_one_collar([as_not_refused(draft, heard.never) for draft in _in_detail(named, entries)])
+    named = with_one_collar([as_not_refused(draft, heard.never) for draft in _in_detail(named, entries)])
     fitting = [draft_as_asked(armholes_as_asked(draft, heard.lacks), sure) for draft in named]
     if not named and heard.kind in (None, "top") and _tells_no_garment(heard):
         fitting = [draft_as_asked(_SWEATSHIRT if _is_a_crewneck(sure) else _WHATEVER, sure)]
@@ -257,7 +256,7 @@ def _standing_necks(heard: Heard) -> list[Claim]:
 
 def _likely_bare(heard: Heard) -> list[Claim]:
     """That nothing covers the shoulders, where that is likely: a "fit and flare wedding dress"."""
-    likely = [w.change.claim for w in heard.likely if isinstance(w.change, Gain)]
+    likely = _likely_claims(heard)
     if _BARE_BACK in _told_claims(heard):  # the edge of a strapless one runs straight across the back
         return []
     return [claim for claim in likely if claim == _BARE]
@@ -265,7 +264,7 @@ def _likely_bare(heard: Heard) -> list[Claim]:
 
 def _moods(heard: Heard) -> list[Claim]:
     """What such words make likely."""
-    likely = [w.change.claim for w in heard.likely if isinstance(w.change, Gain)]
+    likely = _likely_claims(heard)
     found = () if heard.words is None else heard.words.implications
     moods = [i.claim for i in found if i.said and any(e.category == "fits" for e in i.mark.entries)]
     return [claim for claim in likely if claim in _OF_MOODS and claim in moods]
@@ -348,19 +347,6 @@ def _outdone(heard: Heard) -> list[Entry]:
     opposed = [mark for pair in words.contradictions for mark in (pair.first, pair.second)]
     kept = {i.mark.start for i in words.implications}
     return [entry for mark in opposed if mark.start not in kept for entry in mark.entries]
-
-
-def _with_one_collar(named: list[NamedDraft]) -> list[NamedDraft]:
-    """Shirts and dresses with the collar that another draft of the text has: a Peter Pan collar."""
-    if any(draft.name == "cardigan" for draft in named) and any(_SHAWL in draft.options for draft in named):
-        named = [_SHAWL_CARDIGAN if draft.name == "cardigan" else draft for draft in named]
-    collars = [option for draft in named for option in draft.options if option[0] == "collar"]
-    return [
-        replace(draft, options=(*draft.options, collars[0]))
-        if collars and draft.name in _MAY_BE_COLLARED and not any(n == "collar" for n, _ in draft.options)
-        else draft
-        for draft in named
-    ]
 
 
 def _in_detail(named: Sequence[NamedDraft], entries: Sequence[Entry]) -> list[NamedDraft]:

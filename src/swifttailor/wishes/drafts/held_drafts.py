@@ -71,12 +71,17 @@ CIRCLES: Mapping[str, float] = {
     "more than a circle": 1.25,
 }
 """Parts of a circle, by what a skirt is called."""
+_ROUND, _GATHERED = Claim("skirt", "circle"), Claim("skirt", "gathered")
 _DROPPED = "drop-waist-dress"
 _STRAIGHT: Mapping[str, float] = {"fullness": 1.0, "skirt_flare": 0.0}
 """Of a dropped skirt that is to be straight: gathered ones that narrow to the hem stand out above it."""
 _HEAVY_CM, _HOLDING_STRAPS_CM = 75.0, 3.0
 """Full skirts that are longer pull narrower straps than this off the shoulders."""
 _CLOSE = ("pencil", "narrowing", "straight")
+_WIDE_STRAPS, _BETWEEN_STRAPS = Claim("straps", "wide"), frozenset({Claim("neckline", "square")})
+_WIDE: Mapping[str, float] = {"strap_width": 5.5, "dip": 0.0}
+"""Straps that are seen to be wide, and the straight edge between them."""
+_AT_THE_NECK = ("neckline", "collar", "hood", "neck_depth", "neck_depth_cm", "back_depth", "back_neckline")
 _FLOUNCE = "fitted base"
 
 
@@ -89,7 +94,10 @@ def held_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     """
     if draft.name == _DROPPED and any(_asked_skirt(claim) == "close" for claim in claims):
         return NamedDraft(_DROPPED, tuple({**dict(draft.options), **_STRAIGHT}.items()))
-    return _held(draft, claims)
+    held = _held(draft, claims)
+    if held.name != _WITHOUT["straps"] or not _on_wide_straps(claims):
+        return held
+    return NamedDraft(held.name, tuple({**dict(held.options), **_WIDE}.items()))
 
 
 def on_straps_that_hold(draft: NamedDraft) -> NamedDraft:
@@ -110,6 +118,9 @@ def _held(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     if draft.name in _JUMPSUITS.values():
         return draft if hold == own else _with(_JUMPSUITS[hold], draft, _OF_LEGS)
     options, skirt = dict(draft.options), _own_skirt(draft)
+    if _ROUND in claims and _GATHERED in claims:  # what is as full as that needs no gathers
+        skirt, claims = "circle", [claim for claim in claims if claim != _GATHERED]
+        options.pop("gathers", None)
     for claim in claims:
         shape = _asked_skirt(claim)
         if shape == "circle" and skirt in ("flounce", "gathered"):
@@ -173,9 +184,16 @@ def _own_skirt(draft: NamedDraft) -> Skirt:
 def _asked_hold(claims: Sequence[Claim]) -> Hold | None:
     if _BARE in claims:
         return "waist"
-    if _THIN_STRAPS in claims:
+    if _THIN_STRAPS in claims or _on_wide_straps(claims):
         return "straps"
     return "shoulders" if any(_covers(claim) for claim in claims) else None
+
+
+def _on_wide_straps(claims: Sequence[Claim]) -> bool:
+    """Whether it hangs on wide straps with a straight edge between them, and no neckline says otherwise."""
+    others = [claim for claim in claims if claim.name in _AT_THE_NECK and claim.value != "none"]
+    sleeved = any(claim.name == "sleeves" and claim.value != "none" for claim in claims)
+    return _WIDE_STRAPS in claims and not sleeved and _BETWEEN_STRAPS.issuperset(others)
 
 
 def _asked_skirt(claim: Claim) -> Skirt | None:

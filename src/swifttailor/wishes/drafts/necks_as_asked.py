@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from swifttailor.describing.claims import Claim
-from swifttailor.pattern.drafts.draft_names import NamedDraft
+from swifttailor.pattern.drafts.draft_names import LEVEL_NECK_CM, NamedDraft
 
 _NECKED = (
     *("t-shirt", "sweatshirt", "tank-top", "fitted-top", "peplum-top"),
@@ -41,6 +41,9 @@ _TO_THE_WAIST = frozenset(
 )
 _DEEPEST_CM = 22.0
 """Of other drafts than these, whose bodices have no waist seam or end below it."""
+_LEAST_TOLD_CM = 9.0
+"""Figures from which that is how deep it is seen to be: who asks for less asks for a close one."""
+_SHAPES = ("v", "square")
 
 
 def neck_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
@@ -54,14 +57,18 @@ def neck_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     if draft.name not in _NECKED or worn or draft.stands:
         return draft
     options = dict(draft.options)
-    cut = dict(_neck(claims, told_width=_WIDTH in options))
+    cut: dict[str, float] = dict(_neck(claims, told_width=_WIDTH in options))
     if draft.name in _WITHOUT_WIDTH:
         cut.pop(_WIDTH, None)
+    shapes = [shape for shape in _SHAPES if Claim("neckline", shape) in claims]
+    told = _told_depth(claims, shapes)
+    if told:
+        cut[_DEPTH] = round(told + LEVEL_NECK_CM, 2)
     if not cut:
         return draft
     if draft.name not in _TO_THE_WAIST and _DEPTH in cut:
         cut[_DEPTH] = min(cut[_DEPTH], _DEEPEST_CM)
-    shape: dict[str, str] = {"neckline": "v"} if _V in claims else {}
+    shape: dict[str, str] = {"neckline": shapes[0]} if _V in claims or (told and shapes) else {}
     back = _is_close(claims) and not any(claim.name in _BARE_BACKS for claim in claims)
     if back and draft.name not in ("sweatshirt", *_WITHOUT_WIDTH):
         cut[_BACK] = _CLOSE_BACK_CM
@@ -83,6 +90,13 @@ def _neck(claims: Sequence[Claim], *, told_width: bool) -> Mapping[str, float]:
         shallow = [claim for claim in depths if claim.name == "neck_depth_cm" and _is_shallow(claim)]
         return {_WIDTH: _ROUND_CM[_WIDTH]} if shallow else {}
     return _ROUND_CM
+
+
+def _told_depth(claims: Sequence[Claim], shapes: Sequence[str]) -> float:
+    """A depth that is told in figures, cm, where it can be cut so that it is seen; else 0."""
+    told = [c.value for c in claims if c.name == "neck_depth_cm" and isinstance(c.value, int | float)]
+    deepest = _PLUNGING_CM[_DEPTH] if "v" in shapes else _DEEPEST_CM
+    return float(told[0]) if told and _LEAST_TOLD_CM <= told[0] <= deepest - LEVEL_NECK_CM else 0.0
 
 
 def _is_close(claims: Sequence[Claim]) -> bool:

@@ -34,4 +34,6 @@ def short_flounce_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedD
         return draft
     long, close = hems[0]
     own = float(options.get("close", close))
-    return replace(draft, options=tuple({**options, length: long, "close": min(own, close)}.items()))
+    grows = float(options.get(length, long)) < long  # so does what is above the flounce
+    close = close if grows else min(own, close)
+    return replace(draft, options=tuple({**options, length: long, "close": close}.items()))

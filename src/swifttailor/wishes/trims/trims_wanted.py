@@ -146,7 +146,11 @@ def trims_wanted(heard: Heard, draft: str = "", kind: str = "", *, anew: bool = 
     for part, what, name in _SECOND:
         if heard.looks.second == part and not any(wish.what == what for wish in found):
             found.append(TrimWish(what, False, ((name,),)))
-    if kind == "dress" and _has_net_skirt(heard) and not any(_NET in wish.choices for wish in found):
+    if (
+        kind in ("dress", "skirt")
+        and _has_net_skirt(heard)
+        and not any(_NET in wish.choices for wish in found)
+    ):
         found.append(TrimWish("tulle_layers", False, (_NET,)))
     if draft in _RIBBED and not any(wish.what == _RIBS for wish in found) and _is_knitted(heard, draft):
         found.append(TrimWish(_RIBS, False, (("neck rib", "armhole ribs"), ("neck rib",), ("armhole ribs",))))

@@ -29,6 +29,8 @@ from swifttailor.pattern.drafts.trousers import lay_trousers, legs_of_bodice, se
 from swifttailor.pattern.pattern import Pattern
 
 StrapWidth = Annotated[float, Option("Width of the straps.", "cm", 1.0, 4.0)]
+_WIDEST_CROSSED_CM = 4.0
+"""Of straps that cross behind, cm."""
 StraplessEase = Annotated[float, Option("Room on top of the bust girth, all around.", "cm", 0.0, 6.0)]
 HeldWaistEase = Annotated[float, Option("Room on top of the waist girth, all around.", "cm", -1.0, 4.0)]
 HeartDip = Annotated[float, Option("Fall of the heart in the middle; 0 is straight.", "cm", 0.0, 8.0)]
@@ -196,7 +198,7 @@ class StrappyDressOptions(HeldDressOptions):
 
     bust_ease: declared.BustEase = 3.0
     waist_ease: declared.WaistEase = 2.0
-    strap_width: StrapWidth = 1.5
+    strap_width: Annotated[float, Option("Width of the straps.", "cm", 1.0, 7.0)] = 1.5
     dip: FrontDip = 3.0
     crossed: CrossedStraps = False
 
@@ -205,9 +207,8 @@ def draft_strappy_dress(options: StrappyDressOptions, measurements: Measurements
     """Drafts the strappy dress for a body: a darted bodice on thin straps, a skirt sewn to its waist."""
     figure = Figure.of(measurements).for_cloth(options.stretch / 100)
     table = CuttingTable("strappy-dress", options.stretch / 100)
-    bodice = FittedStrapBodice(
-        options.strap_width, options.bust_ease, options.waist_ease, options.dip, options.crossed
-    )
+    strap = min(options.strap_width, _WIDEST_CROSSED_CM) if options.crossed else options.strap_width
+    bodice = FittedStrapBodice(strap, options.bust_ease, options.waist_ease, options.dip, options.crossed)
     waist = lay_fitted_strap_bodice(table, figure, bodice)
     return _with_skirt(table, figure, options, waist, crossed=options.crossed)
 
