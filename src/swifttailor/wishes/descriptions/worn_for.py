@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
+
 from swifttailor.describing.claims import Claim
 from swifttailor.describing.differences import Gain
 from swifttailor.wishes.heard import Heard
@@ -13,15 +15,21 @@ _FIRST = ("accessories", "occasions")
 _NAMES = ("garment", "like")
 """Roles of words that name the garment."""
 _MERE_DRESSES = ("dress", "gown", "frock", "costume", "outfit")
+_MERE_KINDS = {
+    **{"top": "top", "tops": "top", "dress": "dress", "frock": "dress", "skirt": "skirt", "shorts": "shorts"},
+    **dict.fromkeys(("trousers", "trouser", "pants", "pant", "bottoms"), "trousers"),
+}
+"""Names that say no more than what kind of garment it is."""
 _PERSONS = "persons.txt"
 """Of whom the looks are known."""
 _OF_LOWER = frozenset(
     {"rise", "waistband", "waistband_cm", "skirt", "skirt_length_cm", "legs", "inseam_cm", "hips"}
 )
-_INSTEAD = ("dress", "jumpsuit", "top")
-"""What suits most occasions, where what is usual for one is refused."""
+_INSTEAD = {"dress": "dress", "jumpsuit": "navy satin wide-leg jumpsuit", "top": "top"}
+"""What suits most occasions, by its kind, where what is usual for one is refused."""
 _KNITS = frozenset({"jumper", "T-shirt", "sweatshirt"})
 _BUTTONED, _SHIRT = frozenset({"buttons"}), "shirt"
+_LOOKS = frozenset({"colors", "shades", "prints", "fabrics"})
 _PARTY_DRESS = "party dress"
 _FINE = frozenset(
     {
@@ -55,7 +63,7 @@ def worn_for(heard: Heard) -> str | None:
     is asked for is not suggested: no dress where legs are spoken of. What reaches the calves or beyond,
     without legs or a waistband, is a dress, and what details tell by themselves is that kind.
     """
-    return _as_told(_worn_for(heard), heard) or (
+    return _undyed(_as_told(_worn_for(heard), heard), heard) or (
         "dress" if _is_likely_a_dress(heard) else _told_by_details(heard)
     )
 
@@ -69,6 +77,20 @@ def _as_told(worn: str | None, heard: Heard) -> str | None:
     said = {m.word.lower() for m in heard.words.marks if not m.denied and m.entries}
     fine = any(word in _FINE for words in said for word in words.split())
     return _PARTY_DRESS if fine else worn
+
+
+def _undyed(worn: str | None, heard: Heard) -> str | None:
+    """A suggestion without the colour and the cloth that it is usually of, where the text names its own."""
+    if worn is None or heard.words is None:
+        return worn
+    said = {entry.category for mark in heard.words.marks if not mark.denied for entry in mark.entries}
+    said |= {"shades"} if "colors" in said else set()
+    refused = {e.color for m in heard.words.marks if m.denied for e in m.entries if e.color is not None}
+    for mark in reversed(read_words(worn).marks):
+        own = {e.category for e in mark.entries} & said & _LOOKS if mark.role == "word" else set()
+        if own or any(entry.color in refused for entry in mark.entries):
+            worn = f"{worn[: mark.start]}{worn[mark.end :].lstrip()}"
+    return worn
 
 
 def _told_by_details(heard: Heard) -> str | None:
@@ -87,6 +109,11 @@ def _worn_for(heard: Heard) -> str | None:
     marks = () if heard.words is None else [mark for mark in heard.words.marks if not mark.denied]
     entries = [entry for mark in marks for entry in mark.entries if entry.worn]
     names = {mark.word.lower() for mark in marks if mark.role in _NAMES}
+    if names and (kind := _mere_kind(names)) is not None:
+        first = min(entries, key=_order, default=None)
+        chosen = [name for name in (first.worn_as if first is not None else ()) if name.endswith(kind)]
+        if chosen:  # "a top for Christmas"
+            return chosen[0]
     if names:  # "a dress like Mary Poppins", "Clueless skirt"
         known = [entry for entry in entries if entry.place[0] == _PERSONS]
         entries = [e for e in known if names <= {*_MERE_DRESSES, str(e.worn).split()[-1]}]
@@ -98,15 +125,25 @@ def _worn_for(heard: Heard) -> str | None:
         assert entry.worn is not None
         kinds = [str(i.claim.value) for i in read_words(entry.worn).implications if i.claim.name == "kind"]
         if refused.intersection(kinds):
-            return next((other for other in _INSTEAD if other not in refused), None)
+            return next((name for kind, name in _INSTEAD.items() if kind not in refused), None)
         if all(_may_have(kind, claim.name, claim.value) for kind in kinds for claim in details):
             return entry.worn
     return None
 
 
+def _mere_kind(names: Collection[str]) -> str | None:
+    """The kind that a text names and nothing more of; None where it says which one of that kind."""
+    kinds = {_MERE_KINDS.get(name) for name in names}
+    return next(iter(kinds)) if len(kinds) == 1 else None
+
+
 def _refused_kinds(heard: Heard) -> frozenset[str]:
     """Kinds that are not wanted; who wants no skirts wants no dresses."""
     refused = {str(claim.value) for claim in heard.never if claim.name == "kind"}
+    denied = [m for m in (() if heard.words is None else heard.words.marks) if m.denied]
+    styles = [e for mark in denied for e in mark.entries if e.kinds and not e.is_mere_kind]
+    named = {kind for mark in denied for e in mark.entries if e.is_mere_kind for kind in e.kinds}
+    refused -= frozenset().union(*[e.kinds for e in styles]) - named  # "but not a bodycon": another dress
     return frozenset(refused | ({"dress"} if "skirt" in refused else set()))
 
 

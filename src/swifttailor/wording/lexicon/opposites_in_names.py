@@ -1,0 +1,118 @@
+"""Names of garments that other words of a text speak against: "a pleated skirt without any pleats"."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from swifttailor.describing.claims import Claim
+from swifttailor.wording.lexicon.opposed_words import opposed_pairs
+
+if TYPE_CHECKING:
+    from swifttailor.wording.lexicon.reading import Implication, WordMark
+
+_MADE_WITH = {
+    name: (re.compile(rf"(?<![\w]){before}(?![\w])", re.IGNORECASE), re.compile(rf"^{noun}$", re.IGNORECASE))
+    for name, before, noun in (
+        ("pleats", "pleated", r"(?:knife |box )?pleat(?:s|ing)?"),
+        ("gathers", "gathered", r"gather(?:s|ing)?"),
+        ("tiers", "tiered", r"tiers?"),
+        ("ruffles", r"ruffled|ruffle", r"ruffles?"),
+        ("frills", r"frilled|frilly", r"frills?"),
+        ("belt", "belted", r"belts?"),
+        ("buttons", r"buttoned|button[- ](?:down|up|through|front)", r"buttons?"),
+        ("fringes", "fringed", r"fring(?:es?|ing)"),
+        ("straps", r"strappy|strapped", r"straps?"),
+        ("slit", "slit", r"slits?"),
+    )
+}
+"""How a garment is named that has something, and what that is called by itself."""
+_OF_A_PLACE = re.compile(
+    r"\s*(?:,\s*)?(?:at|in|on|around|round|over|near|below|above|behind)(?!\w)", re.IGNORECASE
+)
+"""Behind what is refused: of one place alone, "no pleats at the back"."""
+_NARROW = re.compile(r"^(?:(?:very|really|quite) )?(?:narrow|tight|slim|skinny|skin[- ]tight)$", re.IGNORECASE)
+_WIDE_LEGS = re.compile(r"(?<!\w)(?:baggy|loose|oversized|wide)(?!\w)", re.IGNORECASE)
+_WIDE_SKIRTS = frozenset(
+    {
+        Claim("skirt", value)
+        for value in ("flared", "gathered", "circle", "half circle", "three-quarter circle", "more than a circle")
+    }
+)
+_CLOSE = frozenset({Claim("hips", "close"), Claim("legs", "slim"), Claim("fit", "close")})
+_BETWEEN = frozenset({"degrees", "colors", "shades", "prints", "fabrics", "lengths", "fits", "function"})
+"""What may stand between an adjective and the name that it belongs to."""
+_SHORTS = Claim("kind", "shorts")
+_TO_THE_FEET = re.compile(r"ankle|floor|full[- ]length", re.IGNORECASE)
+
+
+def contradicting_pairs(
+    text: str, marks: Sequence[WordMark], implied: Sequence[Implication]
+) -> list[tuple[WordMark, WordMark]]:
+    """Pairs of words that cannot both be true of one garment, or of which one speaks against its name.
+
+    Args:
+        text: That was read.
+        marks: Its words.
+        implied: What follows from them.
+    """
+    pairs = opposed_pairs(text, implied)
+    known = {frozenset({first.start, second.start}) for first, second in pairs}
+    more = _against_names(text, marks, implied)
+    return [*pairs, *[pair for pair in more if frozenset({one.start for one in pair}) not in known]]
+
+
+def _against_names(
+    text: str, marks: Sequence[WordMark], implied: Sequence[Implication]
+) -> list[tuple[WordMark, WordMark]]:
+    names = [mark for mark in marks if mark.role == "garment" and not mark.denied]
+    pairs = [*_refused(text, marks, names), *_narrow_and_wide(text, marks, names, implied)]
+    shorts = [i.mark for i in implied if i.claim == _SHORTS and not i.said]
+    long = [m for m in marks if not m.denied and _category(m) == "lengths" and _TO_THE_FEET.search(m.word)]
+    pairs += [(mark, name) for name in shorts for mark in long if _adjoins(text, marks, mark, name)]
+    return pairs
+
+
+def _refused(
+    text: str, marks: Sequence[WordMark], names: Sequence[WordMark]
+) -> list[tuple[WordMark, WordMark]]:
+    """What a garment is named after and is refused besides."""
+    return [
+        (name, mark)
+        for named, alone in _MADE_WITH.values()
+        for name in names
+        if named.search(name.word)
+        for mark in marks
+        if mark.denied and alone.match(mark.word) and not _OF_A_PLACE.match(text[mark.end :])
+    ]
+
+
+def _narrow_and_wide(
+    text: str, marks: Sequence[WordMark], names: Sequence[WordMark], implied: Sequence[Implication]
+) -> list[tuple[WordMark, WordMark]]:
+    """A narrow full skirt, tight baggy trousers: narrow itself, and not at the waist."""
+    narrow = [i.mark for i in implied if i.claim in _CLOSE and i.said and _NARROW.match(i.mark.word)]
+    wide = {id(i.mark) for i in implied if i.claim in _WIDE_SKIRTS and i.certainty == "certain"}
+    return [
+        (mark, name)
+        for name in names
+        if id(name) in wide or (_WIDE_LEGS.search(name.word) and "trousers" in _kinds(name))
+        for mark in dict.fromkeys(narrow)
+        if _adjoins(text, marks, mark, name)
+    ]
+
+
+def _adjoins(text: str, marks: Sequence[WordMark], mark: WordMark, name: WordMark) -> bool:
+    """Whether an adjective stands before a name with nothing but other adjectives between."""
+    between = [m for m in marks if mark.end <= m.start < name.start]
+    plain = re.search(r"[^\w\s'’-]", text[mark.end : name.start]) is None
+    return mark.end <= name.start and plain and all(_category(m) in _BETWEEN for m in between)
+
+
+def _kinds(mark: WordMark) -> frozenset[str]:
+    return frozenset().union(*[entry.kinds for entry in mark.entries])
+
+
+def _category(mark: WordMark) -> str | None:
+    return mark.entries[0].category if mark.entries else None
