@@ -15,6 +15,8 @@ _FIRST = ("accessories", "occasions")
 _NAMES = ("garment", "like")
 """Roles of words that name the garment."""
 _MERE_DRESSES = ("dress", "gown", "frock", "costume", "outfit")
+_OF_THE_CUT = frozenset({"garments", "parts", "styles", "lengths", "fits", "numbers", "sizes"})
+"""Categories of words of which one at least stands in a text that tells of the cut."""
 _MERE_KINDS = {
     **{"top": "top", "tops": "top", "dress": "dress", "frock": "dress", "skirt": "skirt", "shorts": "shorts"},
     **dict.fromkeys(("trousers", "trouser", "pants", "pant", "bottoms"), "trousers"),
@@ -70,7 +72,7 @@ def worn_for(heard: Heard) -> str | None:
 
 def _as_told(worn: str | None, heard: Heard) -> str | None:
     """A suggestion that suits what is said of cloth and closings: no jumper of velvet or with buttons."""
-    if worn not in _KNITS or heard.words is None:
+    if worn is None or worn.split()[-1] not in _KNITS or heard.words is None:
         return worn
     if any(lack.what in _BUTTONED and lack.said for lack in heard.lacks):
         return _SHIRT
@@ -119,7 +121,8 @@ def _worn_for(heard: Heard) -> str | None:
         entries = [e for e in known if names <= {*_MERE_DRESSES, str(e.worn).split()[-1]}]
     named = () if heard.words is None else [i.claim for i in heard.words.implications]
     details = [w.change.claim for w in heard.sure if isinstance(w.change, Gain)]
-    details = [claim for claim in details if claim.name != "kind" or claim in named]  # a network guesses
+    guessed = not any(mark.entries and mark.entries[0].category in _OF_THE_CUT for mark in marks)
+    details = [c for c in details if c in named or not (guessed or c.name == "kind")]  # a network guesses
     refused = _refused_kinds(heard)
     for entry in sorted(entries, key=_order):
         assert entry.worn is not None

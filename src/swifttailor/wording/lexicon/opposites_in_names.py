@@ -43,6 +43,8 @@ _WIDE_SKIRTS = frozenset(
 _CLOSE = frozenset({Claim("hips", "close"), Claim("legs", "slim"), Claim("fit", "close")})
 _BETWEEN = frozenset({"degrees", "colors", "shades", "prints", "fabrics", "lengths", "fits", "function"})
 """What may stand between an adjective and the name that it belongs to."""
+_STRAIGHT = frozenset({"straight", "straight leg", "straight-leg", "straight legs"})
+_BORROWED = re.compile(r"(?:boyfriend|girlfriend|mom|mum|dad)s? ", re.IGNORECASE)
 _SHORTS = Claim("kind", "shorts")
 _TO_THE_FEET = re.compile(r"ankle|floor|full[- ]length", re.IGNORECASE)
 
@@ -57,10 +59,16 @@ def contradicting_pairs(
         marks: Its words.
         implied: What follows from them.
     """
-    pairs = opposed_pairs(text, implied)
+    pairs = [pair for pair in opposed_pairs(text, implied) if not _straight_by_name(*pair)]
     known = {frozenset({first.start, second.start}) for first, second in pairs}
     more = _against_names(text, marks, implied)
     return [*pairs, *[pair for pair in more if frozenset({one.start for one in pair}) not in known]]
+
+
+def _straight_by_name(one: WordMark, other: WordMark) -> bool:
+    """Whether legs are said to be straight of jeans that are borrowed ones: some are, and some taper."""
+    words = {one.word.lower(), other.word.lower()}
+    return bool(words & _STRAIGHT) and any(_BORROWED.match(word) for word in words)
 
 
 def _against_names(
