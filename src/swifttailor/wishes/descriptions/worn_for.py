@@ -9,6 +9,8 @@ from swifttailor.describing.differences import Gain
 from swifttailor.wishes.heard import Heard
 from swifttailor.wording.claim_kinds import fits_kind, implied_kind
 from swifttailor.wording.lexicon import Entry, read_words
+from swifttailor.wording.lexicon.tokens import words_of
+from swifttailor.wording.lexicon.vocabulary import vocabulary
 
 _FIRST = ("accessories", "occasions")
 """A tuxedo says more of what is worn than the evening does, and that more than "comfy"; persons say most."""
@@ -54,6 +56,7 @@ _DETAILS = 2
 _SHORTEST_DRESS_CM = 75.0
 """From the shoulder to the hem; what is shorter is a top."""
 _DRESS = Claim("kind", "dress")
+_BESIDE_LENGTHS = frozenset({"lengths", "function", "polite", "colors", "shades", "prints", "fabrics"})
 _DRESS_LENGTHS = frozenset({"midi", "maxi", "ankle", "floor"})
 """What belongs to skirts and trousers alone, and lengths that tell of a dress where none of it is named."""
 
@@ -160,7 +163,9 @@ def _is_likely_a_dress(heard: Heard) -> bool:
         return False
     if any(claim.name == "length_cm" and float(claim.value) < _SHORTEST_DRESS_CM for claim in claims):
         return False
-    return any(claim.name == "skirt_hem" and claim.value in _DRESS_LENGTHS for claim in (*claims, *guessed))
+    hems = [claim for claim in (*claims, *guessed) if claim.name == "skirt_hem"]
+    alone = all(m.entries and m.entries[0].category in _BESIDE_LENGTHS for m in marks)  # "knee length"
+    return any(claim.value in _DRESS_LENGTHS for claim in hems) or (alone and bool(hems))
 
 
 def _may_have(kind: str, name: str, value: object) -> bool:
@@ -168,5 +173,8 @@ def _may_have(kind: str, name: str, value: object) -> bool:
 
 
 def _order(entry: Entry) -> tuple[int, int, int]:
+    if entry.english:  # of another language: where the word that it stands for has its row
+        named = vocabulary("en").find(words_of(entry.english.lower(), "en"))
+        entry = next((sense.entry for sense in named if sense.entry.worn), entry)
     category, (file, line) = entry.category, entry.place
     return int(file != _PERSONS), _FIRST.index(category) if category in _FIRST else len(_FIRST), line

@@ -130,9 +130,7 @@ def clashing_levels(text: str, words: WordReading, kind: str | None) -> tuple[tu
     )
 
 
-def _said_levels(
-    text: str, words: WordReading, kind: str | None
-) -> Iterator[tuple[Claim, re.Match[str]]]:
+def _said_levels(text: str, words: WordReading, kind: str | None) -> Iterator[tuple[Claim, re.Match[str]]]:
     for said in _PHRASE.finditer(text):
         bare = said["ends"] is None and said["where"] is None
         if (bare and (said["to"] or "").lower() not in _BARE) or _is_denied(words, said.start(), said.end()):

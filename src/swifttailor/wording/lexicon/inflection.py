@@ -23,7 +23,7 @@ SHORTEST = 3
 _SIBILANTS = ("s", "x", "z", "ch", "sh", "o")
 _VOWELS = "aeiou"
 _PAIRS = frozenset(
-    "pant sweatpant trackpant legging jegging trouser jogger bottom brief knicker culotte dungaree pyjama pajama".split()
+    "pant sweatpant trackpant legging jegging trouser jogger bottom brief knicker culotte dungaree".split()
 )
 """What shops and strangers call in the singular, too, though it has two legs: "a jogging pant"."""
 _SHORT_SYLLABLE = re.compile(r"[^aeiou]*[aeiou][^aeiou]")

@@ -13,7 +13,10 @@ if TYPE_CHECKING:
     from swifttailor.wording.lexicon.reading import Implication, WordMark
 
 _MADE_WITH = {
-    name: (re.compile(rf"(?<![\w]){before}(?![\w])", re.IGNORECASE), re.compile(rf"^{noun}$", re.IGNORECASE))
+    name: (
+        re.compile(rf"(?<![\w]){before}(?![\w])", re.IGNORECASE),
+        re.compile(rf"^(?:(?:no|without)(?: an?| any)? )?{noun}$", re.IGNORECASE),
+    )
     for name, before, noun in (
         ("pleats", "pleated", r"(?:knife |box )?pleat(?:s|ing)?"),
         ("gathers", "gathered", r"gather(?:s|ing)?"),
@@ -25,19 +28,34 @@ _MADE_WITH = {
         ("fringes", "fringed", r"fring(?:es?|ing)"),
         ("straps", r"strappy|strapped", r"straps?"),
         ("slit", "slit", r"slits?"),
+        ("zip", r"zip(?:ped)?(?:[- ](?:up|through|front))?", r"zip(?:per)?s?"),
     )
 }
 """How a garment is named that has something, and what that is called by itself."""
+_REFUSED = re.compile(r"(?:no|without) ", re.IGNORECASE)
+_WITHOUT = re.compile(r"(?<!\w)(?P<part>pocket|button|zip|belt)less(?!\w)", re.IGNORECASE)
+_CLOSED_NECK = re.compile(r"turtle ?neck|polo[- ]?neck|roll[- ]?neck|mock[- ]neck|funnel", re.IGNORECASE)
+_OPEN_NECK = re.compile(r"^(?:deep |low )?(?:v|square|scoop|boat)[- ]?neck|^plunging", re.IGNORECASE)
+_LAYERS = re.compile(r"(?<!\w)(?:under\w*|over|beneath|or|and|with)(?!\w)", re.IGNORECASE)
+_SHORT = re.compile(r"(?<!\w)crop(?:ped)?(?!\w)", re.IGNORECASE)
+_LONG = re.compile(r"(?<!\w)long[- ]?line", re.IGNORECASE)
 _OF_A_PLACE = re.compile(
     r"\s*(?:,\s*)?(?:at|in|on|around|round|over|near|below|above|behind)(?!\w)", re.IGNORECASE
 )
 """Behind what is refused: of one place alone, "no pleats at the back"."""
-_NARROW = re.compile(r"^(?:(?:very|really|quite) )?(?:narrow|tight|slim|skinny|skin[- ]tight)$", re.IGNORECASE)
+_NARROW = re.compile(r"^(?:(?:very|really) )?(?:narrow|tight|slim|skinny|skin[- ]tight)$", re.IGNORECASE)
 _WIDE_LEGS = re.compile(r"(?<!\w)(?:baggy|loose|oversized|wide)(?!\w)", re.IGNORECASE)
 _WIDE_SKIRTS = frozenset(
     {
         Claim("skirt", value)
-        for value in ("flared", "gathered", "circle", "half circle", "three-quarter circle", "more than a circle")
+        for value in (
+            "flared",
+            "gathered",
+            "circle",
+            "half circle",
+            "three-quarter circle",
+            "more than a circle",
+        )
     }
 )
 _CLOSE = frozenset({Claim("hips", "close"), Claim("legs", "slim"), Claim("fit", "close")})
@@ -75,9 +93,12 @@ def _against_names(
     text: str, marks: Sequence[WordMark], implied: Sequence[Implication]
 ) -> list[tuple[WordMark, WordMark]]:
     names = [mark for mark in marks if mark.role == "garment" and not mark.denied]
-    pairs = [*_refused(text, marks, names), *_narrow_and_wide(text, marks, names, implied)]
+    made = [m for m in marks if not m.denied and (m in names or m.word.lower().endswith("ed"))]
+    pairs = [*_refused(text, marks, made), *_narrow_and_wide(text, marks, names, implied)]
     shorts = [i.mark for i in implied if i.claim == _SHORTS and not i.said]
+    shorts += [mark for mark in names if _SHORT.search(mark.word)]
     long = [m for m in marks if not m.denied and _category(m) == "lengths" and _TO_THE_FEET.search(m.word)]
+    pairs += _by_their_words(text, [mark for mark in marks if not mark.denied])
     pairs += [(mark, name) for name in shorts for mark in long if _adjoins(text, marks, mark, name)]
     return pairs
 
@@ -92,8 +113,28 @@ def _refused(
         for name in names
         if named.search(name.word)
         for mark in marks
-        if mark.denied and alone.match(mark.word) and not _OF_A_PLACE.match(text[mark.end :])
+        if (mark.denied or _REFUSED.match(mark.word)) and alone.match(mark.word)
+        if not _OF_A_PLACE.match(text[mark.end :])
     ]
+
+
+def _by_their_words(text: str, marks: Sequence[WordMark]) -> list[tuple[WordMark, WordMark]]:
+    """Words that speak against each other as they stand: "pocketless", "pockets"."""
+    found = []
+    for one in marks:
+        if (without := _WITHOUT.search(one.word)) is not None:
+            against = re.compile(rf"(?<!\w){without['part']}(?:s|ed)?$", re.IGNORECASE)
+        elif _CLOSED_NECK.search(one.word):
+            against = _OPEN_NECK
+        elif _SHORT.search(one.word):
+            against = _LONG
+        else:
+            continue
+        for other in marks:
+            between = text[min(one.end, other.end) : max(one.start, other.start)]
+            if against.search(other.word) and (without is not None or not _LAYERS.search(between)):
+                found.append((one, other) if one.start < other.start else (other, one))
+    return found
 
 
 def _narrow_and_wide(
