@@ -115,12 +115,16 @@ TWO = [
     ("dark academia", "dark brown tweed blazer", "dark brown tailored trousers"),
     ("old money, green", "cable knit jumper, green", "tailored trousers, green"),
     ("first day at the new job", "navy blazer", "navy tailored trousers"),
+    ("country house weekend", "tweed blazer", "brown corduroy trousers"),
 ]
 ONE = [
     "old money dress",
     "dark academia skirt",
     "preppy, long sleeves",
     "job interview, nothing black",
+    "casual Christmas party",
+    "minimalist wedding guest",
+    "barn dance at the weekend",
     "shirt dress",
     "a dress with a pleated skirt",
     "a top with a skirt part",
