@@ -56,7 +56,9 @@ _DETAILS = 2
 _SHORTEST_DRESS_CM = 75.0
 """From the shoulder to the hem; what is shorter is a top."""
 _DRESS = Claim("kind", "dress")
-_BESIDE_LENGTHS = frozenset({"lengths", "function", "polite", "colors", "shades", "prints", "fabrics"})
+_BESIDE_LENGTHS = frozenset(
+    "lengths function polite negations degrees generic colors shades prints fabrics".split()
+)
 _DRESS_LENGTHS = frozenset({"midi", "maxi", "ankle", "floor"})
 """What belongs to skirts and trousers alone, and lengths that tell of a dress where none of it is named."""
 
@@ -129,6 +131,8 @@ def _worn_for(heard: Heard) -> str | None:
     refused = _refused_kinds(heard)
     for entry in sorted(entries, key=_order):
         assert entry.worn is not None
+        if entry.category == "fabrics" and not guessed:
+            continue  # what tells of the cut tells more than cloth does
         kinds = [str(i.claim.value) for i in read_words(entry.worn).implications if i.claim.name == "kind"]
         if refused.intersection(kinds):
             return next((name for kind, name in _INSTEAD.items() if kind not in refused), None)
@@ -163,7 +167,7 @@ def _is_likely_a_dress(heard: Heard) -> bool:
         return False
     if any(claim.name == "length_cm" and float(claim.value) < _SHORTEST_DRESS_CM for claim in claims):
         return False
-    hems = [claim for claim in (*claims, *guessed) if claim.name == "skirt_hem"]
+    hems = [claim for claim in (*claims, *guessed, *heard.never) if claim.name == "skirt_hem"]
     alone = all(m.entries and m.entries[0].category in _BESIDE_LENGTHS for m in marks)  # "knee length"
     return any(claim.value in _DRESS_LENGTHS for claim in hems) or (alone and bool(hems))
 
