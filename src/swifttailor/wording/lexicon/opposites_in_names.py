@@ -44,6 +44,12 @@ _OF_A_PLACE = re.compile(
 )
 """Behind what is refused: of one place alone, "no pleats at the back"."""
 _NARROW = re.compile(r"^(?:(?:very|really) )?(?:narrow|tight|slim|skinny|skin[- ]tight)$", re.IGNORECASE)
+_JOINED = re.compile(r",?\s*(?:but|and|yet)?\s*(?:very|really|quite)?\s*", re.IGNORECASE)
+_WIDE = re.compile(r"wide|wider|flared|loose|full", re.IGNORECASE)
+_AT_THE_FEET = re.compile(
+    r"\s*(?:at|towards?|around|near|from) (?:the )?(?:bottoms?|hems?|foot|feet|ankles?|ends?|knees?)(?!\w)",
+    re.IGNORECASE,
+)
 _WIDE_LEGS = re.compile(r"(?<!\w)(?:baggy|loose|oversized|wide)(?!\w)", re.IGNORECASE)
 _WIDE_SKIRTS = frozenset(
     {
@@ -77,10 +83,20 @@ def contradicting_pairs(
         marks: Its words.
         implied: What follows from them.
     """
-    pairs = [pair for pair in opposed_pairs(text, implied) if not _straight_by_name(*pair)]
+    pairs = [
+        pair
+        for pair in opposed_pairs(text, implied)
+        if not _straight_by_name(*pair) and not _widens(text, pair)
+    ]
     known = {frozenset({first.start, second.start}) for first, second in pairs}
     more = _against_names(text, marks, implied)
     return [*pairs, *[pair for pair in more if frozenset({one.start for one in pair}) not in known]]
+
+
+def _widens(text: str, pair: tuple[WordMark, WordMark]) -> bool:
+    """Whether legs are slim and said to be wide at their ends: "slim but wide at the bottom"."""
+    wide = [m for m in pair if _WIDE.fullmatch(m.word) and _AT_THE_FEET.match(text[m.end :])]
+    return len(wide) == 1 and any(_NARROW.match(mark.word) for mark in pair)
 
 
 def _straight_by_name(one: WordMark, other: WordMark) -> bool:
@@ -143,7 +159,14 @@ def _narrow_and_wide(
     """A narrow full skirt, tight baggy trousers: narrow itself, and not at the waist."""
     narrow = [i.mark for i in implied if i.claim in _CLOSE and i.said and _NARROW.match(i.mark.word)]
     wide = {id(i.mark) for i in implied if i.claim in _WIDE_SKIRTS and i.certainty == "certain"}
-    return [
+    full = [i.mark for i in implied if i.claim in _WIDE_SKIRTS and i.said]
+    joined = [
+        (mark, other)
+        for mark in dict.fromkeys(narrow)
+        for other in dict.fromkeys(full)
+        if _JOINED.fullmatch(text[mark.end : other.start]) and not _OF_A_PLACE.match(text[other.end :])
+    ]
+    return joined + [
         (mark, name)
         for name in names
         if id(name) in wide or (_WIDE_LEGS.search(name.word) and "trousers" in _kinds(name))
@@ -155,7 +178,7 @@ def _narrow_and_wide(
 def _adjoins(text: str, marks: Sequence[WordMark], mark: WordMark, name: WordMark) -> bool:
     """Whether an adjective stands before a name with nothing but other adjectives between."""
     between = [m for m in marks if mark.end <= m.start < name.start]
-    plain = re.search(r"[^\w\s'’-]", text[mark.end : name.start]) is None
+    plain = re.search(r"[^\w\s'’,-]", text[mark.end : name.start]) is None
     return mark.end <= name.start and plain and all(_category(m) in _BETWEEN for m in between)
 
 
