@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from swifttailor.wishes.text.spoken_levels import spoken_levels
+from swifttailor.wishes.text.spoken_levels import clashing_levels, spoken_levels
 from swifttailor.wording.lexicon import read_words
 
 
@@ -63,3 +63,18 @@ def test_where_it_is_said_is_told():
     text = "a sundress that stops at my ankles"
     found = spoken_levels(text, read_words(text), "dress")
     assert [text[start:end] for start, end in found.spans] == ["stops at my ankles"]
+
+
+@pytest.mark.parametrize(
+    ("text", "kind", "clash"),
+    [
+        ("ankle-length dress that stops at the thigh", "dress", (("ankle-length", "stops at the thigh"),)),
+        ("floor length gown that ends at the knees", "dress", (("floor length gown", "ends at the knees"),)),
+        ("midi skirt that falls just below the knee", "skirt", ()),
+        ("maxi dress, stops at the ankle", "dress", ()),
+        ("floor length dress with a slit that goes up to the thigh", "dress", ()),
+        ("long coat that stops at the knee", "dress", ()),
+    ],
+)
+def test_a_length_and_a_level_that_cannot_both_be_true_are_told(text, kind, clash):
+    assert clashing_levels(text, read_words(text), kind) == clash

@@ -112,8 +112,19 @@ TWO = [
     ("dunkelblauer Hosenanzug", "dunkelblauer blazer", "dunkelblauer tailored trousers"),
     ("une chemise blanche et une jupe noire", "une chemise blanche", "une jupe noire"),
     ("una camisa blanca y una falda negra", "una camisa blanca", "una falda negra"),
+    ("dark academia", "dark brown tweed blazer", "dark brown tailored trousers"),
+    ("old money, green", "cable knit jumper, green", "tailored trousers, green"),
+    ("first day at the new job", "navy blazer", "navy tailored trousers"),
+    ("country house weekend", "tweed blazer", "brown corduroy trousers"),
 ]
 ONE = [
+    "old money dress",
+    "dark academia skirt",
+    "preppy, long sleeves",
+    "job interview, nothing black",
+    "casual Christmas party",
+    "minimalist wedding guest",
+    "barn dance at the weekend",
     "shirt dress",
     "a dress with a pleated skirt",
     "a top with a skirt part",
@@ -198,6 +209,13 @@ LAYERS = [
     ("vestido rojo con chaqueta negra", "chaqueta negra", "vestido rojo"),
 ]
 """With what is on top before what is beneath it."""
+
+
+def test_what_a_mood_is_taken_for_is_a_guess_and_no_set():
+    moods, names = two_garments("preppy"), two_garments("navy trouser suit")
+    assert moods is not None and names is not None
+    assert (moods.guessed, moods.alike) == (True, False)
+    assert (names.guessed, names.alike) == (False, True)
 
 
 @pytest.mark.parametrize(("text", "over", "beneath"), LAYERS)

@@ -51,6 +51,21 @@ def reader() -> WishReader:
         ("I've got a wedding in June, nothing sleeveless", "tea dress", "dress"),
         ("I am a hairdresser and stand all day", "salon tunic", "top"),
         ("clothes for a hospital stay", "nightshirt", "dress"),
+        ("tea at the Ritz", "tea dress", "dress"),
+        ("something for my 70th birthday", "emerald wrap dress", "dress"),
+        ("work christmas do", "wine velvet party dress", "dress"),
+        ("christmas party in green satin", "party dress", "dress"),
+        ("for my birthday, pink but not green", "satin party dress", "dress"),
+        ("something for my hen do, but I am not wearing a bodycon", "emerald satin party dress", "dress"),
+        ("camping", "hiking trousers", "trousers"),
+        ("knee length, navy", "dress", "dress"),
+        ("something green, not too short", "dress", "dress"),
+        ("something linen", "shirt", "top"),
+        ("denim", "jeans", "trousers"),
+        ("wool, to the knee", "dress", "dress"),
+        ("dark academia, long sleeves", "dark brown tweed blazer", "top"),
+        ("I can feed in it, loose", "nursing top", "top"),
+        ("anything but a dress, it's for a wedding", "navy satin wide-leg jumpsuit", "jumpsuit"),
     ],
 )
 def test_a_garment_is_guessed_from_what_it_is_for(reader, text, garment, kind):
@@ -64,6 +79,23 @@ def test_a_garment_is_guessed_from_what_it_is_for(reader, text, garment, kind):
 def test_nothing_is_guessed_where_a_garment_is_named(reader, text):
     heard = hear_description(text, reader)
     assert heard.guess == "" and worn_for(heard) is None
+
+
+@pytest.mark.parametrize(
+    ("text", "garment"),
+    [
+        ("New Year's Eve top", "party top"),
+        ("dark academia skirt", "brown tartan pleated skirt"),
+        ("old money dress", "navy shirt dress"),
+        ("comfy trousers", "lounge trousers"),
+        ("comfy trousers for a long flight", "lounge trousers"),
+        ("a dress for a wedding", ""),
+        ("comfy jeans", ""),
+        ("comfy trousers for work", ""),
+    ],
+)
+def test_a_mere_kind_is_made_as_the_mood_has_it(reader, text, garment):
+    assert hear_description(text, reader).guess == garment
 
 
 def test_what_contradicts_a_detail_is_not_suggested(reader):
@@ -87,7 +119,7 @@ def test_a_picture_shows_which_garment_is_meant(reader):
 
 
 def test_what_is_worn_is_a_garment_of_one_kind():
-    worn = {entry.worn for entry in all_entries() if entry.worn}
+    worn = {name for entry in all_entries() for name in (entry.worn, *entry.worn_as) if name}
     assert len(worn) > 20
     for name in worn:
         kinds = {i.claim.value for i in read_words(name).implications if i.claim.name == "kind"}

@@ -233,7 +233,8 @@ def order_notes(answer: Answer, wanted: Wanted) -> list[str]:
         )
     found += [f"Look at the pattern: {oddity}." for oddity in answer.verdict.oddities]
     if order.is_of_two:
-        found.append(f'{_which_of_them(order)}: "{one_line(order.words, LONGEST_NOTE)}".')
+        guess = ", which is a guess" if order.outfit and order.outfit.guessed else ""
+        found.append(f'{_which_of_them(order)}: "{one_line(order.words, LONGEST_NOTE)}"{guess}.')
         besides = order.outfit.besides if order.outfit else ()
         if besides:
             found.append(f"Named besides, and not made: {', '.join(besides)}. Ask for each on its own.")

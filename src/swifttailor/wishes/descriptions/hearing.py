@@ -65,7 +65,7 @@ from swifttailor.wishes.text.one_half import of_one_half
 from swifttailor.wishes.text.slit_levels import slit_levels
 from swifttailor.wishes.text.spoken_faces import spoken_faces
 from swifttailor.wishes.text.spoken_hems import spoken_bounds, spoken_hem, spoken_slit
-from swifttailor.wishes.text.spoken_levels import spoken_levels
+from swifttailor.wishes.text.spoken_levels import clashing_levels, spoken_levels
 from swifttailor.wishes.text.spoken_measures import SpokenMeasure, can_measure, same_number, spoken_measures
 from swifttailor.wishes.text.spoken_sides import spoken_sides, without_spans
 from swifttailor.wishes.text.text_as_read import ENGLISH, lacks_of, text_as_read
@@ -211,7 +211,9 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
         compared=hem is not None or bool(bounds),
         told=[*sides.spans, *levels.spans, *spans_of_looks(text, words), *spans_of_big_buttons(text)],
     )
-    return Heard(text, sure, likely, never, (*unread, *silent), lacks_of(words, changes, measures), words)
+    lacks = lacks_of(words, changes, measures)
+    clashes = clashing_levels(text, words, named)
+    return Heard(text, sure, likely, never, (*unread, *silent), lacks, words, clashes=clashes)
 
 
 def _kind_named_alone(text: str, words: WordReading) -> list[Implication]:
@@ -310,13 +312,12 @@ _SLEEVES_CUT = re.compile(
     re.IGNORECASE,
 )
 """What may make sleeves short that are usually long; "short" by itself is said of the hem."""
-_LOOSE = Claim("fit", "loose")
+_LOOSE, _BARE_ARMS = Claim("fit", "loose"), Claim("sleeves", "none")
 _FEW_WORDS, _NO_STORY = 5, 9
 _NAMES_THINGS = ("garments", "accessories", "generic")
 _WHOLE_KINDS = frozenset({"dress", "jumpsuit", "playsuit"})
 """Kinds with skirts or legs: who speaks of these at length still asks for the whole."""
 _LOWER_KINDS = frozenset({"skirt", "trousers", "shorts"})
-_BARE_ARMS = Claim("sleeves", "none")
 _BARE_SHOULDERS = Claim("shoulders", "strapless")
 """Where a word makes this no more than usual, as a heart does, sleeves that are named cover them."""
 _CLOSE_HIPS = Claim("hips", "close")

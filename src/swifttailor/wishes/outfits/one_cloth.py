@@ -26,6 +26,8 @@ _SET = re.compile(
 )
 """What says the same behind their names: "hoodie and joggers set"."""
 COLORS, CLOTHS = ("colors", "shades", "prints"), ("fabrics",)
+_MOODS = "occasions"
+"""What tells of two garments as people wear them, each of its own cloth: "old money"."""
 _NIGHTWEAR = "pyjama"
 """What sets are of whose other names have nothing of it: PJs, jammies, pajamas."""
 _SWIMWEAR = ("tankini", "bikini", "swim", "rash")
@@ -47,8 +49,14 @@ def is_one_cloth(text: str, outfits: Sequence[WordMark]) -> bool:
         text: That was read.
         outfits: Names of several garments in it.
     """
-    named = any(named_outfit(mark.word, mark.entries) is not None for mark in outfits)
+    sets = [mark for mark in outfits if not is_a_mood(mark)]
+    named = any(named_outfit(mark.word, mark.entries) is not None for mark in sets)
     return named or MATCHING.search(text) is not None or _SET.search(text) is not None
+
+
+def is_a_mood(mark: WordMark) -> bool:
+    """Whether a word tells how people are dressed, and names no clothes."""
+    return bool(mark.entries) and all(entry.category == _MOODS for entry in mark.entries)
 
 
 def set_words(text: str) -> list[tuple[int, int]]:

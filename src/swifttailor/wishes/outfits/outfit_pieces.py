@@ -30,6 +30,7 @@ _PLACES = frozenset(
     "layer layers".split()
 )
 """What makes a name of it: a top pocket is no top."""
+_OF_THE_CUT = ("garments", "parts", "styles", "lengths", "fits")
 _ADJECTIVES_FIRST = ("en", "de", "nl")
 _BESIDES = ("garment", "second", "like")
 _ASIDE = ("theirs", "like")
@@ -108,8 +109,9 @@ def pieces_of(text: str, words: WordReading) -> Pieces | None:
         first.setdefault(half, Piece(mark, None))
     if len(first) < len(HALVES):
         meant = [(m, o) for m in sets if (o := named_outfit(m.word, m.entries)) and m.role not in _ASIDE]
-        if names:  # a T-shirt of a film is no half of what is worn in it
+        if names or _says_more(words):  # a T-shirt of a film is no half of what is worn in it
             meant = [(mark, outfit) for mark, outfit in meant if _category(mark) != "occasions"]
+        meant = [(mark, outfit) for mark, outfit in meant if _tells_most(mark, words)]
         if not meant:
             return None
         mark, outfit = meant[0]
@@ -124,6 +126,25 @@ def pieces_of(text: str, words: WordReading) -> Pieces | None:
     ]
     besides = [m for m in besides if half_named(m) is not None]
     return Pieces(names, tuple(sets), first, tuple(besides))
+
+
+def _says_more(words: WordReading) -> bool:
+    """Whether a text tells of the cut of what it wants, or what it does not want: then that is looked for."""
+    return any(
+        mark.denied or (_category(mark) in _OF_THE_CUT and mark.role != "astray") for mark in words.marks
+    )
+
+
+def _tells_most(mark: WordMark, words: WordReading) -> bool:
+    """Whether a mood stands before every other one in its table: a barn dance on a weekend is a dance.
+
+    So is what guests wear at weddings a dress in every mood.
+    """
+    if _category(mark) != "occasions":
+        return True
+    moods = [(m, e.place[1]) for m in words.marks for e in m.entries if e.worn and e.category == "occasions"]
+    told = any(i.claim.name == "kind" for i in words.implications)
+    return not told and mark is min(moods, key=lambda mood: mood[1])[0]
 
 
 def is_in_one(text: str) -> bool:

@@ -257,7 +257,8 @@ class PartedText:
         own = [mark for mark in self._words.marks if self._told(mark) == half and mark not in self._garments]
         named = read_words(" ".join(self._mark(half).word.split()[:-1])).marks  # "a strappy top"
         told = set().union(*[subjects(mark) for mark in (*own, *named)])
-        marks = read_words(name).marks
+        dyed = bool(self._words.colors)  # "old money, in green"
+        marks = [m for m in read_words(name).marks if not (dyed and _category(m) in COLORS)]
         kept = [
             m.word
             for m in marks

@@ -14,6 +14,7 @@ from functools import lru_cache
 from swifttailor.wishes.outfits.aprons import with_apron_put_on
 from swifttailor.wishes.outfits.first_piece import first_piece
 from swifttailor.wishes.outfits.hooded_outfits import with_hooded_top
+from swifttailor.wishes.outfits.one_cloth import is_a_mood
 from swifttailor.wishes.outfits.outfit_chunks import Chunk, bare, chunks_of
 from swifttailor.wishes.outfits.outfit_halves import HALVES, Half, half_named
 from swifttailor.wishes.outfits.outfit_pieces import Pieces, are_asked_for, joined_up, names_of, pieces_of
@@ -48,6 +49,8 @@ class TwoGarments:
     """Whether one is worn over the other: ``upper`` is what is on top, ``lower`` what is beneath."""
     alike: bool = False
     """Whether both are of one cloth and colour, as those of a suit are."""
+    guessed: bool = False
+    """Whether no garment is named: they are what is worn in a mood, or for an occasion."""
 
     def of(self, half: Half) -> str:
         """What is said of the garment on a half of the body."""
@@ -106,7 +109,8 @@ def _parted(text: str, words: WordReading) -> TwoGarments | None:
     if layered:
         said = [bare(without_places(one), words.language) for one in said]
     more = ("", False) if third is None else (third.said, third.alike)
-    found = TwoGarments(*said, *more, tuple(besides), layered, wish.is_set)
+    guessed = pieces.is_one_name and is_a_mood(pieces.two["upper"].mark)
+    found = TwoGarments(*said, *more, tuple(besides), layered, wish.is_set, guessed)
     are_one = _names_one if layered else _is_one
     return found if all(are_one(found.of(half), half) for half in HALVES) else None
 

@@ -7,10 +7,13 @@ what ends, how, and where.
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 
 from swifttailor.describing.claims import Claim
 from swifttailor.wishes.text.spoken_sides import SpokenSides
 from swifttailor.wording.lexicon import WordMark, WordReading
+from swifttailor.wording.lexicon.conflicts import opposed
+from swifttailor.wording.lexicon.two_places import of_two_places
 
 _ENDS = (
     r"(?:stop|end|finish|reach|hit|land|sit|fall|come|go|graze|skim|touch|brush|hang|drop)(?:s|es|ed|ped|(?:p|t|g|m)?ing)?"
@@ -94,16 +97,47 @@ def spoken_levels(text: str, words: WordReading, kind: str | None) -> SpokenSide
     """
     told = {i.claim.name for i in words.implications if i.said}
     found: dict[str, tuple[Claim, tuple[int, int]]] = {}
+    for claim, said in _said_levels(text, words, kind):
+        if claim.name not in told:
+            found.setdefault(claim.name, (claim, said.span()))
+    return SpokenSides(
+        tuple([claim for claim, _ in found.values()]), tuple([span for _, span in found.values()])
+    )
+
+
+def clashing_levels(text: str, words: WordReading, kind: str | None) -> tuple[tuple[str, str], ...]:
+    """Words for a length and places where the garment is to stop that cannot both be true.
+
+    Args:
+        text: That the lexicon has read.
+        words: By the lexicon.
+        kind: Of the garment, as far as it is named.
+
+    Returns:
+        Pairs in the words of the text: "ankle-length", "stops at the thigh".
+    """
+    named = [mark for pair in words.contradictions for mark in (pair.first, pair.second)]
+    lengths = [i for i in words.implications if i.certainty == "certain" and i.mark not in named]
+    return tuple(
+        [
+            (i.mark.word, said[0].strip())
+            for claim, said in _said_levels(text, words, kind)
+            for i in lengths
+            if said["ends"] and opposed(claim, i.claim)
+            if (i.mark.end <= said.start() or said.end() <= i.mark.start)
+            if not of_two_places(text, *sorted([(i.mark.start, i.mark.end), said.span()]))
+        ]
+    )
+
+
+def _said_levels(text: str, words: WordReading, kind: str | None) -> Iterator[tuple[Claim, re.Match[str]]]:
     for said in _PHRASE.finditer(text):
         bare = said["ends"] is None and said["where"] is None
         if (bare and (said["to"] or "").lower() not in _BARE) or _is_denied(words, said.start(), said.end()):
             continue
         claim = _claim(text, said, words, kind)
-        if claim is not None and claim.name not in told:
-            found.setdefault(claim.name, (claim, said.span()))
-    return SpokenSides(
-        tuple([claim for claim, _ in found.values()]), tuple([span for _, span in found.values()])
-    )
+        if claim is not None:
+            yield claim, said
 
 
 def _claim(text: str, said: re.Match[str], words: WordReading, kind: str | None) -> Claim | None:

@@ -90,7 +90,7 @@ MOTIFS = (
 )
 _SIZES = ("width", "gap", "angle", "spacing", "radius", "repeat")
 _PRINT_MARKS = (*_SIZES, "motif", "inks")
-_ONE_VALUE = ("part", "cloth", "rgb", "shade", "print", "motif", "negates", "worn", *_SIZES)
+_ONE_VALUE = ("part", "cloth", "rgb", "shade", "print", "motif", "negates", *_SIZES)
 _MARKS = (
     "usual",
     "likely",
@@ -102,6 +102,7 @@ _MARKS = (
     "draft",
     "trim",
     "look",
+    "worn",
     *_ONE_VALUE,
 )
 _WORDS = ("ambiguous", "plural")
@@ -179,6 +180,8 @@ class Entry:
     """The name of the garment that is made for it where none is named: of the beach, a sundress."""
     trims: tuple[str, ...] = ()
     """Which trims of `swifttailor.pattern.trims` are meant by what it says cannot be made of panels."""
+    worn_as: tuple[str, ...] = ()
+    """What is made for it where nothing but a kind of garment is named: "a top for Christmas"."""
     looks: tuple[tuple[str, str | None], ...] = ()
     """Sheer cloths, ``contrast`` or a colour, ``rrggbb``, and the part of a garment that has them; None:
     what is spoken of."""
@@ -251,6 +254,7 @@ def entry_of(row: Row, cannot: Mapping[str, str], known_of: frozenset[str]) -> E
             f"of:{','.join(sorted(of - known_of))} is neither a kind nor a part. "
             f"Known: {', '.join(sorted(known_of))}."
         )
+    worn = [name.replace("_", " ") for name in options.get("worn", ())]
     return Entry(
         words,
         row.section,  # ty: ignore[invalid-argument-type]
@@ -271,8 +275,9 @@ def entry_of(row: Row, cannot: Mapping[str, str], known_of: frozenset[str]) -> E
         None,
         only,
         _drafts(row) if "draft" in options else (),
-        one["worn"].replace("_", " ") if "worn" in one else None,
+        next(iter(worn), None),
         _trims(row) if "trim" in options else (),
+        tuple(worn[1:]),
         _looks(row) if "look" in options else (),
     )
 

@@ -22,6 +22,10 @@ SHORTEST = 3
 """Letters of a word that takes endings."""
 _SIBILANTS = ("s", "x", "z", "ch", "sh", "o")
 _VOWELS = "aeiou"
+_PAIRS = frozenset(
+    "pant sweatpant trackpant legging jegging trouser jogger bottom brief knicker culotte dungaree".split()
+)
+"""What shops and strangers call in the singular, too, though it has two legs: "a jogging pant"."""
 _SHORT_SYLLABLE = re.compile(r"[^aeiou]*[aeiou][^aeiou]")
 """Doubles its last letter in Dutch before an ending: "losse" is of "los", "lose" is not."""
 _LITTLE = ("pjes", "tjes", "jes", "pje", "tje", "je")
@@ -64,6 +68,8 @@ def _english(word: str) -> list[tuple[str, bool | None]]:
         return [(word[:-2], True)]
     if word.endswith("men"):
         return [(f"{word[:-2]}an", True)]
+    if word in _PAIRS:
+        return [(f"{word}s", True)]
     if not word.endswith("s") or word.endswith("ss"):
         return []
     found: list[tuple[str, bool | None]] = [(word[:-1], True)]

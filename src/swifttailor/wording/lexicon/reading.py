@@ -18,7 +18,7 @@ from swifttailor.wording.lexicon.long_tops import with_long_tops
 from swifttailor.wording.lexicon.marking import find_words
 from swifttailor.wording.lexicon.meanings import Meaning, Role, meanings
 from swifttailor.wording.lexicon.odd_ones import odd_ones
-from swifttailor.wording.lexicon.opposed_words import opposed_pairs
+from swifttailor.wording.lexicon.opposites_in_names import contradicting_pairs
 from swifttailor.wording.lexicon.said_looks import WHOLE, SaidLook, said_looks
 from swifttailor.wording.lexicon.vocabulary import vocabulary
 from swifttailor.wording.lexicon.worn_with import is_worn_with
@@ -195,7 +195,7 @@ def _reading(text: str, language: Language, kind: str | None, dialect: Dialect |
         tuple(kept),
         tuple(never),
         _lacks(meant, text),
-        tuple([Contradiction(first, second) for first, second in opposed_pairs(text, implied)]),
+        tuple([Contradiction(*pair) for pair in contradicting_pairs(text, marks, implied)]),
         tuple([color for _, color in colors]),
         tuple([entry.print for mark in meant for entry in mark.entries if entry.print is not None]),
         tuple(

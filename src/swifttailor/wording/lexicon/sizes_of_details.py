@@ -60,6 +60,8 @@ def little_behind(words: Sequence[Meaning], k: int) -> int | None:
         if size in _SMALL and (words[j].category == "prints" or any(e.cannot for e in words[j].entries)):
             own = words[j].category in ("prints", "styles") and not _goes_on_to_garment(words, j)
             return j if own else None
+        if _lies_at_a_neck(words[j]) and not _goes_on_to_garment(words, j):
+            return j
         if words[j].is_noun:
             name = words[j].found.word
             shaped = words[j].category == "styles" and not name.endswith(("ed", "y"))
@@ -71,6 +73,15 @@ def little_behind(words: Sequence[Meaning], k: int) -> int | None:
         ):
             return None
     return None
+
+
+def _lies_at_a_neck(word: Meaning) -> bool:
+    """Whether a word names lapels, a collar or folds of a neckline, and no shape: "a loose cowl"."""
+    if word.category != "styles" or word.found.word.endswith(("ed", "y")) or word.holds_together:
+        return False
+    claims = [claim for entry in word.entries for claim in entry.claims("certain")]
+    lapels = any(claim.name == "collar" and claim.value == "lapel" for claim in claims)
+    return lapels or any("draped" in entry.cannot for entry in word.entries)
 
 
 def tells_how_far(words: Sequence[Meaning], k: int) -> bool:
