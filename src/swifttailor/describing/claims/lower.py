@@ -206,8 +206,8 @@ LOWER_CLAIMS: dict[str, tuple[str, dict[str, Predicate]]] = {
             "wide": all_of(
                 above("trousers.hem", lambda f: f.body.thigh_girth, 2.0), above(_OPENING, 0.9, 0.03)
             ),
-            "straight": between(_OPENING, 0.82, 1.03, 0.02),
-            "tapered": below(_OPENING, 0.8, 0.03),
+            "straight": between(_OPENING, 0.65, 1.03, 0.02),
+            "tapered": below(_OPENING, 0.7, 0.03),
             "slim": all_of(
                 below("trousers.thigh", lambda f: 1.06 * f.body.thigh_girth, 1.0), below(_OPENING, 0.85, 0.03)
             ),

@@ -29,6 +29,7 @@ from swifttailor.wishes.drafts.mandarin_collars import (
     asks_for_mandarin_collar,
     with_mandarin_collar,
 )
+from swifttailor.wishes.drafts.measured_legs import legs_as_measured
 from swifttailor.wishes.drafts.modest_necks import modest_as_asked
 from swifttailor.wishes.drafts.opened_drafts import opened_as_asked
 from swifttailor.wishes.drafts.oversized_drafts import oversized_as_asked
@@ -137,6 +138,7 @@ def drafts_of(heard: Heard) -> tuple[NamedDraft, ...]:
     if asks_for_sailor_collar(entries):
         fitting = [with_sailor_collar(draft) for draft in fitting]
     fitting = [legs_as_said(draft, heard.text, _elastic(heard), heard.never) for draft in fitting]
+    fitting = [legs_as_measured(draft, heard.text, sure) for draft in fitting]
     lacks = frozenset([lack.what for lack in heard.lacks])
     fitting = [with_details(draft, lacks, sure) for draft in fitting]
     fitting = [with_shirt_collar(draft, heard.text, lacks) for draft in fitting]
@@ -146,9 +148,8 @@ def drafts_of(heard: Heard) -> tuple[NamedDraft, ...]:
     fitting = [wrapped_close_as_asked(draft, sure) for draft in wound_as_asked(fitting, sure)]
     fitting = [pleats_as_asked(draft, heard.lacks, sure) for draft in fitting]
     fitting = [huge_as_said(tier_as_said(draft, heard.text), heard.text) for draft in fitting]
-    closed = [closed_as_counted(draft, heard.text) for draft in fitting]
     wanted = {lack.what for lack in heard.lacks if lack.said}
-    opened = [opened_as_asked(draft, sure, wanted) for draft in closed]
+    opened = [opened_as_asked(closed_as_counted(d, heard.text), sure, wanted) for d in fitting]
     found = dict.fromkeys([hem_as_asked(draft, sure, wanted, _denied(heard)) for draft in opened])
     return tuple(sorted(found, key=lambda draft: wanted.isdisjoint(draft.shows)))
 

@@ -75,4 +75,4 @@ def on_tank_straps(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     """
     if draft.name != "bodysuit" or _TANK_STRAPS not in claims:
         return draft
-    return replace(draft, options=tuple({**dict(draft.options), **_ON_TANK_STRAPS}.items()))
+    return replace(draft, options=tuple({**_ON_TANK_STRAPS, **dict(draft.options), "strap_width": _TANK_STRAP_CM}.items()))
