@@ -176,7 +176,8 @@ LOWER_CLAIMS: dict[str, tuple[str, dict[str, Predicate]]] = {
         {
             "empire": above(_seam, lambda f: f.body.waist + 6.5, 1.5),
             "natural": between(_seam, lambda f: f.body.waist - 7.5, lambda f: f.body.waist + 5.5, 1.5),
-            "dropped": below(_seam, lambda f: f.body.waist - 9.5, 1.5),
+            # The strip between the legs of a swimsuit is sewn on lower still.
+            "dropped": between(_seam, lambda f: f.body.crotch + 3.0, lambda f: f.body.waist - 9.5, 1.5),
         },
     ),
     "rise": (

@@ -5,12 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from swifttailor.describing.claims import Claim
 from swifttailor.describing.differences import Gain
 from swifttailor.wishes.reader import Wish
-from swifttailor.wording.lexicon import WordReading
-
-_FULL = Gain(Claim("leg_hem", "full"))
+from swifttailor.wording.lexicon import WordReading, exclude
 
 
 def with_told_leg_ends(found: Sequence[Wish], words: WordReading) -> tuple[Wish, ...]:
@@ -21,7 +18,11 @@ def with_told_leg_ends(found: Sequence[Wish], words: WordReading) -> tuple[Wish,
         words: By the lexicon.
     """
     said = [i.claim for i in words.implications if i.said and i.claim.name == "leg_hem"]
-    ends = [w.change for w in found if isinstance(w.change, Gain) and w.change.claim.name == "leg_hem"]
-    if ends != [_FULL] or len(said) != 1 or said[0] == _FULL.claim:
+    if len(said) != 1:
         return tuple(found)
-    return tuple([replace(w, change=Gain(said[0])) if w.change == _FULL else w for w in found])
+    told = Gain(said[0])
+    others = [w for w in found if isinstance(w.change, Gain) and exclude(w.change.claim, told.claim)]
+    others = [w for w in others if isinstance(w.change, Gain) and w.change.claim.name == "leg_hem"]
+    if any(w.change == told for w in found) or not others:
+        return tuple([w for w in found if w not in others])
+    return tuple([replace(w, change=told) if w is others[0] else w for w in found if w not in others[1:]])

@@ -75,6 +75,7 @@ _CROPPED = re.compile(
     r"(?<!\w)(?:crop(?:ped)?|ankle[- ]swinging|half[- ]mast)(?!\w)(?! (?:jacket|top|tee|cardigan|sleeve))",
     re.I,
 )
+_SLIGHTLY, _SLIGHTLY_CM = re.compile(r"(?<!\w)(?:slightly|a (?:little|bit|touch)|just) cropped", re.I), 91.0
 _CROPPED_CM: Mapping[str, float] = {
     "trousers": 84.0,
     "pull-on-trousers": 84.0,
@@ -125,7 +126,8 @@ def legs_as_said(
         return replace(draft, options=tuple({**options, "gathers": full}.items()))
     long = float(options.get("length", _LONG_CM)) >= _LONG_CM
     if draft.name in _CROPPED_CM and long and _CROPPED.search(text):
-        return replace(draft, options=tuple({**options, "length": _CROPPED_CM[draft.name]}.items()))
+        cropped = _SLIGHTLY_CM if _SLIGHTLY.search(text) else _CROPPED_CM[draft.name]
+        return replace(draft, options=tuple({**options, "length": cropped}.items()))
     if draft.name in _WHOLE_LEGS and long and _SEVEN_EIGHTHS.search(text):
         return replace(draft, options=tuple({**options, "length": _SHORTER_CM}.items()))
     if draft.name in _LONGEST and long and _DRAGS.search(text) and not _NOT_LONG.search(text):

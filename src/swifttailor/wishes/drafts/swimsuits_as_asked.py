@@ -27,7 +27,8 @@ _HIGH_NECKS = frozenset(
     }
 )
 _TANK_STRAPS = Claim("straps", "wide")
-_ON_TANK_STRAPS = {"sleeves": False, "strap_width": 4.5, "neck_widening": 3.0, "neck_depth": 15.0}
+_ON_TANK_STRAPS = {"sleeves": False, "strap_width": 4.5, "neck_widening": 3.0}
+_TANK_NECK = {"neck_depth": 15.0}
 _STRAPS = frozenset({Claim("straps", "narrow"), Claim("shoulders", "strapless")})
 
 
@@ -44,7 +45,7 @@ def swimsuit_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
         neck = _SQUARE_NECK
     elif Claim("neck_depth", "plunging") in claims:
         neck = _PLUNGING_NECK
-    elif back and _STRAPS.isdisjoint(claims):
+    elif (back or _TANK_STRAPS in claims) and _STRAPS.isdisjoint(claims):
         neck = _SCOOPED_NECK
     else:
         return draft
@@ -75,4 +76,5 @@ def on_tank_straps(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     """
     if draft.name != "bodysuit" or _TANK_STRAPS not in claims:
         return draft
-    return replace(draft, options=tuple({**_ON_TANK_STRAPS, **dict(draft.options), "strap_width": _TANK_STRAP_CM}.items()))
+    options = {**_TANK_NECK, **dict(draft.options), **_ON_TANK_STRAPS}
+    return replace(draft, options=tuple(options.items()))
