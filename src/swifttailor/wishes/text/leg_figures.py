@@ -32,7 +32,7 @@ _RISES_CM, _KNEES_CM = (14.0, 40.0), (30.0, 110.0)
 """What rises and widths at the knee may be, cm."""
 _FROM_WAIST_CM = 35.0
 """The rise of trousers that begin at the waist of the usual body, cm."""
-_HIGH_CM, _LOW_CM = 2.5, 9.0
+_HIGH_CM, _LOW_CM = 2.5, 11.0
 """Trousers that begin less far below the waist are high, others mid, and from there on low."""
 _TROUSERS = ("trousers", "shorts", "jumpsuit")
 _LEG_WIDTH, _TO_THE_KNEE = "leg_width_cm", Claim("leg_hem", "knee")
