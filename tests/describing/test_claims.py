@@ -181,7 +181,7 @@ def test_unknown_claims_are_refused(name, value, text):
 def test_of_legs_that_end_above_the_thigh_no_shape_is_said():
     facts = measure_facts(draft("trousers"))
     short = replace(facts, trousers=replace(facts.trousers, thigh=0.0))
-    assert {c.value for c in claims_of(facts) if c.name == "legs"} == {"tapered"}
+    assert {c.value for c in claims_of(facts) if c.name == "legs"} == {"straight"}
     assert not [c for c in claims_of(short) if c.name == "legs"]
 
 

@@ -126,7 +126,7 @@ SLITS = [Claim("slit", "left"), Claim("slit", "right")]
         (
             "leggings",
             [Claim("legs", "flared")],
-            "flares(stretch=8;leg_ease=1.5;hip_ease=1.5;flare=26;length=103;band_height=7;crotch_drop=0)",
+            "flares(stretch=8;leg_ease=8;hip_ease=2;flare=28;length=103;band_height=7;crotch_drop=0)",
         ),
         ("leggings", [Claim("waistband", "wide")], "leggings(band_height=9)"),
         ("leggings(length=58)", [Claim("leg_hem", "mid-thigh")], "leggings(length=47)"),

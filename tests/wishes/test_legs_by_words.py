@@ -75,6 +75,12 @@ def test_short_ones_stay_short():
         ("sports shorts", "pull-on-trousers"),
         ("board shorts", "pull-on-trousers"),
         ("tap pants", "pull-on-trousers"),
+        ("comfy trousers for a long flight", "pull-on-trousers"),
+        ("trousers, comfortable, for travelling", "pull-on-trousers"),
+        ("pijama shorts", "pull-on-trousers"),
+        ("no zip, just pull-on trousers with a wide leg", "pull-on-trousers"),
+        ("comfortable tailored trousers", "trousers"),
+        ("comfy jeans", "trousers"),
     ],
 )
 def test_what_is_gathered_at_the_waist(text, name, reader):

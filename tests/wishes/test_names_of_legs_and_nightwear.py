@@ -24,6 +24,12 @@ def reader() -> WishReader:
     [
         ("high waist knickers", "briefs", {"below_waist": 2.0}),
         ("bikini bottoms", "briefs", {"below_waist": 10.0}),
+        ("high waist swimming pants", "briefs", {"below_waist": 2.0}),
+        ("onesie", "jumpsuit", {"collar": "hood", "leg_cuff": 5.0}),
+        ("swimsuit with low back and wide straps", "bodysuit", {"strap_width": 4.5, "back_neck_depth": 30.0}),
+        ("one piece swimsuit with wide straps", "bodysuit", {"strap_width": 4.5, "sleeves": False}),
+        ("flared leggings", "flares", {"leg_ease": 8.0}),
+        ("red swimsuit, high neck", "bodysuit", {"neck_depth": 8.5, "sleeves": False}),
         ("nightie", "shift-dress", {"sleeve_length": 22.0}),
         ("nightgown", "shift-dress", {"sleeve_length": 58.0}),
         ("cuffed cargo joggers", "joggers", {"leg_ease": 18.0}),

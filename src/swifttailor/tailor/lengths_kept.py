@@ -2,19 +2,27 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import replace
 
 from swifttailor.body import Body
-from swifttailor.describing.differences import Gain
+from swifttailor.describing.differences import Change, Gain
 from swifttailor.describing.dimensions import STATED
+from swifttailor.describing.facts import GarmentFacts
 from swifttailor.describing.measuring import measure_facts
 from swifttailor.errors import SwiftTailorError
 from swifttailor.recutting.alter import alter
 from swifttailor.tailor.answer import Answer
+from swifttailor.wishes.assumed.well_within import as_stated
 from swifttailor.wishes.text.spoken_measures import length_on
 
 LENGTHS = frozenset({"skirt_hem", "top_hem", "leg_hem", "sleeves", "left_sleeve", "right_sleeve"})
 """Claims about where a part of the garment ends on its wearer."""
+
+
+def _too_long(asked: Iterable[Gain], facts: GarmentFacts) -> tuple[Change, ...]:
+    """By how much legs are longer than their inseam was stated: they would lie on the feet."""
+    return as_stated([gain for gain in asked if gain.claim.name == "inseam_cm"], facts)
 
 
 def with_lengths_kept(answer: Answer, body: Body) -> Answer:
@@ -42,10 +50,20 @@ def with_lengths_kept(answer: Answer, body: Body) -> Answer:
             for gain in met
         }
         lost = [gain for gain in lengths if not own[gain].holds(facts, facts)]
-        if not lost:
+        if not lost and not _too_long(own.values(), facts):
             return answer
         held = [own[gain] for gain in met if own[gain].holds(facts, facts)]
-        cut = alter(answer.pattern, [*held, *[own[gain] for gain in lost]], body=body.measurements)
+        again = [*held, *[own[gain] for gain in lost]]
+        cut = alter(answer.pattern, again, body=body.measurements) if lost else None
+        pattern = answer.pattern if cut is None else cut.pattern
+        more = _too_long(own.values(), facts if cut is None else cut.facts)
+        if more:  # well within the tolerance of the words, and on the floor
+            cuts, missed = ((), ()) if cut is None else (cut.cuts, cut.open)
+            shorter = alter(pattern, [*again, *more], body=body.measurements)
+            if set(shorter.open) <= {*missed, *more}:
+                cut = replace(shorter, cuts=(*cuts, *shorter.cuts), open=missed)
+        if cut is None:
+            return answer
     except SwiftTailorError:
         return answer
     missing = tuple([gain for gain in lost if own[gain] in cut.open])

@@ -27,13 +27,18 @@ def extent(pattern, axis):
     return sum(float(np.ptp(panel.vertices[:, axis])) for panel in pattern.panels)
 
 
+ONE_PIECES = ("bodysuit", "swimsuit")
+"""What has a seam at the waist and darts where its cloth does not stretch."""
+
+
 @pytest.mark.parametrize("name", WITH_STRETCH)
 def test_it_is_narrower_and_as_long(name):
-    usual, close = draft(name, stretch=0), draft(name, stretch=8)
+    least = 4.0 if name in ONE_PIECES else 0.0
+    usual, close = draft(name, stretch=least), draft(name, stretch=least + 8)
     assert [p.name for p in usual.panels] == [p.name for p in close.panels]
     assert 0.9 < extent(close, 0) / extent(usual, 0) < 0.985
     assert extent(close, 1) == pytest.approx(extent(usual, 1), rel=0.03)
-    assert (usual.cloth_stretch, close.cloth_stretch) == (0.0, 0.08)
+    assert (usual.cloth_stretch, close.cloth_stretch) == pytest.approx((least / 100, least / 100 + 0.08))
 
 
 def hem_around(pattern):

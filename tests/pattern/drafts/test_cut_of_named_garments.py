@@ -165,9 +165,19 @@ def test_an_apron_without_a_bib_has_cloth_in_front_alone():
 def test_one_pieces_are_cut_out_over_the_legs(name):
     heights = [2.0, 8.0]
     low, high = (draft(name, leg_height=h) for h in heights)
-    sides = [seam_length(p, "pant_f_l", "pant_b_l")[0] for p in (low, high)]
+    sides = [seam_length(p, "left_ftorso", "left_btorso")[0] for p in (low, high)]
     assert sides[0] - sides[1] == pytest.approx(heights[1] - heights[0], abs=1.0)
     assert Claim("leg_hem", "very short").holds(measure_facts(low))
+
+
+@pytest.mark.parametrize("name", ["bodysuit", "swimsuit"])
+def test_one_pieces_of_knitted_cloth_have_no_seam_at_the_waist(name):
+    knit, woven = draft(name), draft(name, stretch=0.0)
+    assert extent(knit, "left_ftorso")[0, 1] < 85.0 < extent(woven, "left_ftorso")[0, 1]
+    facts = measure_facts(knit)
+    assert Claim("kind", "playsuit").holds(facts) and Claim("bodice", "undarted").holds(facts)
+    assert facts.hem is not None and facts.hem.level < facts.body.waist
+    assert Claim("bodice", "darted").holds(measure_facts(woven))
 
 
 @pytest.mark.parametrize("length", [0.0, 55.0, 90.0])

@@ -176,7 +176,8 @@ LOWER_CLAIMS: dict[str, tuple[str, dict[str, Predicate]]] = {
         {
             "empire": above(_seam, lambda f: f.body.waist + 6.5, 1.5),
             "natural": between(_seam, lambda f: f.body.waist - 7.5, lambda f: f.body.waist + 5.5, 1.5),
-            "dropped": below(_seam, lambda f: f.body.waist - 9.5, 1.5),
+            # The strip between the legs of a swimsuit is sewn on lower still.
+            "dropped": between(_seam, lambda f: f.body.crotch + 3.0, lambda f: f.body.waist - 9.5, 1.5),
         },
     ),
     "rise": (
@@ -206,8 +207,8 @@ LOWER_CLAIMS: dict[str, tuple[str, dict[str, Predicate]]] = {
             "wide": all_of(
                 above("trousers.hem", lambda f: f.body.thigh_girth, 2.0), above(_OPENING, 0.9, 0.03)
             ),
-            "straight": between(_OPENING, 0.82, 1.03, 0.02),
-            "tapered": below(_OPENING, 0.8, 0.03),
+            "straight": between(_OPENING, 0.65, 1.03, 0.02),
+            "tapered": below(_OPENING, 0.7, 0.03),
             "slim": all_of(
                 below("trousers.thigh", lambda f: 1.06 * f.body.thigh_girth, 1.0), below(_OPENING, 0.85, 0.03)
             ),

@@ -188,6 +188,10 @@ def _openings(cloth: Cloth, figure: Figure) -> Openings:
     return Openings(two_legs, upper, frozenset(around))
 
 
+_AROUND_LEGS = LEG_PARTS | {Part.TORSO}
+"""What openings of legs lie in: those of a swimsuit in the body and the strip between the legs."""
+
+
 def _borders(
     cloth: Cloth, parts: Mapping[str, PlacedPart], figure: Figure
 ) -> tuple[tuple[FreeLoop, Border], ...]:
@@ -198,7 +202,7 @@ def _borders(
         x, y, _ = loop.center
         if own <= ARM_PARTS or (abs(x) > _ARMHOLE_APART_CM and y > figure.hip_y and not own & LEG_PARTS):
             kinds[k] = Border.ARM
-        elif own <= LEG_PARTS and abs(x) > _LEG_APART_CM:
+        elif own & LEG_PARTS and own <= _AROUND_LEGS and abs(x) > _LEG_APART_CM and y < figure.waist_y:
             kinds[k] = Border.LEG
         else:
             middle.append(k)

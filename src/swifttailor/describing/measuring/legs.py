@@ -71,7 +71,7 @@ def _inner_seam(anatomy: Anatomy, refs: Sequence[EdgeRef]) -> list[EdgeRef]:
     """Those edges of front-to-back seams of one leg that lie on its inside."""
     middle = {r: abs(float(anatomy.cloth.placed([r])[:, 0].mean())) for r in refs}
     split = (min(middle.values()) + max(middle.values())) / 2
-    return [r for r in refs if middle[r] < split]
+    return [r for r in refs if middle[r] <= split]
 
 
 def _hips(anatomy: Anatomy, worn: Worn, top: Sequence[EdgeRef]) -> float:

@@ -33,6 +33,8 @@ WAIST_EASE_CM = 3.0
 """Room that the upper border of a skirt or trousers may have and still sit where it fits."""
 WELL_BELOW_HIPS_CM = 12.0
 """What hangs lower than this below the hips has passed them."""
+_STRIP_CM = 3.0
+"""How far above the crotch what is sewn on there ends at most."""
 LIGHT_CM2 = 15_000.0
 """A skirt or trousers of less cloth leave a tight waist where it fits; `HEAVY_CM2` pull it down."""
 HEAVY_CM2 = 30_000.0
@@ -167,7 +169,7 @@ def _rings(
 ) -> Iterator[tuple[tuple[EdgeRef, ...], float, frozenset[Part]]]:
     """Closed lines around the body below the torso: edges, girth, and the parts that hang from them."""
     waist = anatomy.seam(Part.TORSO, below)
-    if waist.pairs:
+    if waist.pairs and not _is_between_legs(anatomy, waist):
         yield waist.own, STRETCH * min(waist.length, waist.other_length), below
     band = anatomy.seam(Part.WAISTBAND, LOWER_PARTS)
     if band.pairs:
@@ -175,6 +177,11 @@ def _rings(
     elif anatomy.hem is not None and not anatomy.has(Part.SKIRT):
         lower = frozenset({Part.WAISTBAND}) if waist.pairs else frozenset()
         yield anatomy.hem.edges, (BAND_STRETCH if lower else STRETCH) * anatomy.hem.length, lower
+
+
+def _is_between_legs(anatomy: Anatomy, seam: Seam) -> bool:
+    """Whether a seam goes around nothing, as that of the strip between the legs of a swimsuit."""
+    return float(anatomy.cloth.placed(seam.own)[:, 1].mean()) < anatomy.figure.crotch_y + _STRIP_CM
 
 
 def _placed_levels(anatomy: Anatomy) -> Floats:

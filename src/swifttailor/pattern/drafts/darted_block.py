@@ -49,6 +49,22 @@ class DartedBlock:
         under_y = max(figure.armpit_y - drop, figure.waist_y + least)
         return DartedBlock(figure, waist, taken.wide(waist), taken, dart_places(figure, waist), under_y)
 
+    @staticmethod
+    def of_knit(figure: Figure, *, bust_ease: float, waist_ease: float, drop: float) -> DartedBlock:
+        """The block of cloth that stretches: no darts, all side seams take the same.
+
+        Args:
+            figure: Of the body, as its cloth is cut for it.
+            bust_ease: On top of the bust girth, cm around.
+            waist_ease: On top of the waist girth, cm around.
+            drop: Underarm below the armpit, cm.
+        """
+        waist, chest = figure.waist.eased(waist_ease), figure.bust.eased(bust_ease)
+        side = (chest.girth - waist.girth) / 4
+        waist = Halves(chest.front - side, chest.back - side)
+        under_y = max(figure.armpit_y - drop, figure.waist_y + SIDE_MINIMUM)
+        return DartedBlock(figure, waist, chest, Suppression(side, 0.0, 0.0), waist, under_y)
+
     def begin_half(self, *, front: bool, bare: bool = False, darted: bool = True) -> Outline:
         """Draws the waist, from the middle outward, and the side seam up to the underarm.
 

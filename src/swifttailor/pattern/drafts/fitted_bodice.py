@@ -36,6 +36,8 @@ class FittedBodice:
     """Whether it ends where the underarm is and has no darts, as what a smock is gathered into."""
     racer: bool = False
     """Whether the back is cut in between the shoulder blades, so that its straps run together there."""
+    knit: bool = False
+    """Whether it is of cloth that stretches, and has no darts."""
 
 
 def lay_fitted_bodice(table: CuttingTable, figure: Figure, shape: FittedBodice) -> Halves:
@@ -53,12 +55,18 @@ def lay_fitted_bodice(table: CuttingTable, figure: Figure, shape: FittedBodice) 
         drop=shape.armhole_drop,
         least=_YOKE_SIDE_CM if shape.yoke else SIDE_MINIMUM,
     )
+    if shape.knit:
+        block = DartedBlock.of_knit(
+            figure, bust_ease=shape.bust_ease, waist_ease=shape.waist_ease, drop=shape.armhole_drop
+        )
     tip_x = shoulder_tip_x(figure, shape.neckline, shape.shoulder_extension)
     tip_x = min(tip_x, min(block.chest.front, block.chest.back) - 1.5)
     neck_x = min(shape.neckline.start_x(figure), tip_x - 3.0)
     for front in (True, False):
         outline = block.begin_half(
-            front=front, bare=not front and shape.neckline.bares_back, darted=not shape.yoke
+            front=front,
+            bare=not front and shape.neckline.bares_back,
+            darted=not (shape.yoke or shape.knit),
         )
         scoop = 0.66 if front else 0.5
         shoulder = (neck_x, tip_x)

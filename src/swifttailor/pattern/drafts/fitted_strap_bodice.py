@@ -33,6 +33,8 @@ class FittedStrapBodice:
     """How far the front falls between the straps, cm."""
     crossed: bool = False
     """Whether the straps cross behind."""
+    knit: bool = False
+    """Whether it is of cloth that stretches, and has no darts."""
 
 
 def lay_fitted_strap_bodice(table: CuttingTable, figure: Figure, shape: FittedStrapBodice) -> Halves:
@@ -43,10 +45,11 @@ def lay_fitted_strap_bodice(table: CuttingTable, figure: Figure, shape: FittedSt
     Returns:
         The sewn half widths at the waist, cm.
     """
-    block = DartedBlock.of(figure, bust_ease=shape.bust_ease, waist_ease=shape.waist_ease, drop=1.5)
+    begin = DartedBlock.of_knit if shape.knit else DartedBlock.of
+    block = begin(figure, bust_ease=shape.bust_ease, waist_ease=shape.waist_ease, drop=1.5)
     for side in "fb":
         front = side == "f"
-        outline = block.begin_half(front=front)
+        outline = block.begin_half(front=front, darted=not shape.knit)
         y = outline.sides[-1].end[1]
         base_y = max(figure.bust_y + OVER_BUST if front else block.under_y + OVER_UNDERARM, y + 0.5)
         low = max(base_y - (shape.dip if front else 0.0), figure.waist_y + LOWEST)

@@ -240,6 +240,32 @@ def _on_seat(chalk: Chalk, name: str, aside: float, *, welt: bool = False) -> li
 
 def cargo_pockets(chalk: Chalk, name: str) -> list[Trim]:
     """On the outside of both thighs, of legs or of a skirt without a bodice that is no wrap."""
+    return _across_side_seams(chalk, name) or _on_fronts(chalk, name)
+
+
+def _across_side_seams(chalk: Chalk, name: str) -> list[Trim]:
+    """On legs half in front and half behind of each side seam, where there is room for them."""
+    s, pieces = chalk.size, []
+    for panel, sign in (("pant_f_l", 1), ("pant_b_l", 1), ("pant_f_r", -1), ("pant_b_r", -1)):
+        view = chalk.views.get(panel)
+        if view is None:
+            return []
+        height, width = 18 * s, 9 * s
+        top = min(chalk.crotch - 7 * s, view.high - 24 * s)
+        outer = [chalk.outer(view, top - share * height, sign) for share in (-0.06, 0.0, 0.5, 1.0)]
+        if top - height < view.low + 4 or any(x is None for x in outer):
+            return []
+        x = sign * (min(abs(each) for each in outer if each is not None) - width / 2 - 0.5)
+        found = chalk.pocket(name, panel, (x, top), width, height)
+        flap = chalk.flap(name, panel, (x, top), width + 0.4, 5.5 * s) if found else []
+        if not flap:
+            return []
+        pieces += [*found, *flap]
+    return pieces
+
+
+def _on_fronts(chalk: Chalk, name: str) -> list[Trim]:
+    """On the fronts alone, as of shorts and skirts."""
     s, pieces = chalk.size, []
     skirt = chalk.views.get("skirt_front")
     legs = skirt is None or "left_ftorso" in chalk.views or not chalk.is_even(skirt, chalk.crotch)

@@ -10,6 +10,8 @@ from swifttailor.describing.facts import GarmentFacts
 
 FULL_LEGS_CM, FULL_LEGS_AT_MOST_CM = 5.0, 8.0
 """Where full legs end above the floor, and what is left as it is."""
+ON_THE_FOOT_CM, WHOLE_FOOT_CM, WHOLE_AT_MOST_CM = 66.0, 7.5, 9.0
+"""The same of legs whose ends are no wider than that around: lower ones rest on the foot and fold."""
 JUMPSUIT_CM, JUMPSUIT_AT_MOST_CM = 7.5, 9.0
 """The same of jumpsuits, whose bodice gives: on the body they hang some three centimetres lower."""
 OVER_THE_FOOT_CM = 43.0
@@ -80,7 +82,10 @@ def off_the_floor(said: Sequence[Change], facts: GarmentFacts) -> tuple[Change, 
 
 
 def as_stated(said: Sequence[Change], facts: GarmentFacts) -> tuple[Change, ...]:
-    """By how much a garment is longer or shorter than was stated, where that shows: words forgive more."""
+    """By how much a garment is longer or shorter than was stated, where that shows: words forgive more.
+
+    Legs that are longer than was stated lie on the feet.
+    """
     claims = {wish.claim.name: wish.claim.value for wish in said if isinstance(wish, Gain)}
     if "hem_shape" in claims:
         return ()
@@ -91,6 +96,9 @@ def as_stated(said: Sequence[Change], facts: GarmentFacts) -> tuple[Change, ...]
         if length is not None and isinstance(stated, float | int) and abs(stated - length) > AS_STATED_CM:
             by = round(float(stated) - length, 1)
             return (Step("length", 1 if by > 0 else -1, abs(by)),)
+    stated, legs = claims.get("inseam_cm"), facts.trousers
+    if legs is not None and isinstance(stated, float | int) and legs.inseam - stated > AS_STATED_CM:
+        return (Step("leg length", -1, round(legs.inseam - stated, 1)),)
     return ()
 
 
@@ -102,10 +110,12 @@ def _legs(words: _Words, names: set[str], facts: GarmentFacts) -> Claim | None:
     if legs is None or hem is None or ("leg_hem", "full") not in words or names & {"inseam_cm", "length_cm"}:
         return None
     whole = facts.kind == "jumpsuit"
-    most = JUMPSUIT_AT_MOST_CM if whole else FULL_LEGS_AT_MOST_CM
+    low, most = (JUMPSUIT_CM, JUMPSUIT_AT_MOST_CM) if whole else (FULL_LEGS_CM, FULL_LEGS_AT_MOST_CM)
+    if not whole and legs.hem < ON_THE_FOOT_CM:
+        low, most = WHOLE_FOOT_CM, WHOLE_AT_MOST_CM
     if hem.level <= most or legs.hem < OVER_THE_FOOT_CM:
         return None
-    return Claim("inseam_cm", round(legs.inseam + hem.level - (JUMPSUIT_CM if whole else FULL_LEGS_CM), 1))
+    return Claim("inseam_cm", round(legs.inseam + hem.level - low, 1))
 
 
 def _wide_legs(words: _Words, names: set[str], facts: GarmentFacts) -> Claim | None:

@@ -29,7 +29,9 @@ from swifttailor.wishes.corrections.one_arm import (
     with_both_arms,
     without_guessed_length,
 )
+from swifttailor.wishes.corrections.short_wholes import is_short_itself
 from swifttailor.wishes.corrections.sureness import likely_wishes, sure_wishes
+from swifttailor.wishes.corrections.told_leg_ends import with_told_leg_ends
 from swifttailor.wishes.corrections.told_sleeves import as_long_as_told, of_the_only_arm, with_named_sleeves
 from swifttailor.wishes.corrections.weighed_together import (
     of_both_faces,
@@ -60,6 +62,12 @@ from swifttailor.wishes.outfits.side_remarks import without_side_remarks
 from swifttailor.wishes.reader import SURE, Wish, WishReader
 from swifttailor.wishes.text.accounting import subjects_spoken_of, unaccounted
 from swifttailor.wishes.text.complaints import without_complaints
+from swifttailor.wishes.text.leg_figures import (
+    not_of_legs,
+    spans_of_told_shapes,
+    told_rises,
+    without_told_shapes,
+)
 from swifttailor.wishes.text.lexicon_spelling import guessed_name
 from swifttailor.wishes.text.one_half import of_one_half
 from swifttailor.wishes.text.slit_levels import slit_levels
@@ -136,7 +144,7 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
     sides = spoken_sides(text).beside(spoken_faces(text))
     words = without_spans(words, sides.spans)
     said = [m.claim for m in measures if m.claim is not None] + ([] if hem is None else [hem])
-    said += [*sides.claims, *(bounds := spoken_bounds(text, words, named))]
+    said += [*sides.claims, *told_rises(text, named), *(bounds := spoken_bounds(text, words, named))]
     known = {claim.name for claim in said}
     levels = spoken_levels(text, words, named).beside(slit_levels(text, words, said))
     said += [claim for claim in levels.claims if claim.name not in known]
@@ -191,7 +199,7 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
         found = _without_guesses(text, with_both_arms(text, found), words)
     found = of_the_only_arm(of_one_arm(without_guessed_length(found, words)))
     found = without_opposites(of_two_arms(found), words)
-    found = fitting_the_name(found, words)
+    found = without_told_shapes(text, with_told_leg_ends(fitting_the_name(found, words), words))
     changes = _changes(found)
     slits = sum(isinstance(c, Gain) and c.claim.name == "slit" for c in changes)
     heard = [m.mention for m in measures if m.claim or (not m.mention.is_length and m.mention.value <= slits)]
@@ -199,7 +207,7 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
         [*words.sizes, f"{buttons_stated(text) or ''}", *[text[m.start : m.end] for m in heard]]
     )
     unread = (
-        *not_of_buttons(text, words.unknown),
+        *not_of_buttons(text, not_of_legs(text, words.unknown)),
         *[n for n in unread_numbers(text, changes) if n not in counted],
     )
     sure, likely = sure_wishes(found), likely_wishes(found)
@@ -209,7 +217,10 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
         never,
         [m.mention.end for m in measures],
         compared=hem is not None or bool(bounds),
-        told=[*sides.spans, *levels.spans, *spans_of_looks(text, words), *spans_of_big_buttons(text)],
+        told=[
+            *[*sides.spans, *levels.spans, *spans_of_looks(text, words), *spans_of_big_buttons(text)],
+            *spans_of_told_shapes(text, words, [c.claim.name for c in changes if isinstance(c, Gain)]),
+        ],
     )
     lacks = lacks_of(words, changes, measures)
     clashes = clashing_levels(text, words, named)
@@ -313,6 +324,7 @@ _SLEEVES_CUT = re.compile(
 )
 """What may make sleeves short that are usually long; "short" by itself is said of the hem."""
 _LOOSE, _BARE_ARMS = Claim("fit", "loose"), Claim("sleeves", "none")
+_UNCUFFED = frozenset({"turn_ups", "raw_hem"})
 _FEW_WORDS, _NO_STORY = 5, 9
 _NAMES_THINGS = ("garments", "accessories", "generic")
 _WHOLE_KINDS = frozenset({"dress", "jumpsuit", "playsuit"})
@@ -343,7 +355,7 @@ _TOPICS = {
 def _without_guesses(text: str, found: Iterable[Wish], words: WordReading) -> tuple[Wish, ...]:
     """Without what only a network reads and no word of the text can mean.
 
-    Turned-up ends are no bands, a bow at the back is no slit there, of the hips of tops nothing
+    Turned-up and frayed ends are no bands, a bow at the back is no slit there, of the hips of tops nothing
     is said unless a word names them, and no gathered skirt or loose dress is close there.
     """
     lacking = {lack.what for lack in words.lacks}
@@ -357,9 +369,9 @@ def _without_guesses(text: str, found: Iterable[Wish], words: WordReading) -> tu
         if tied and _LOOSE in implied and claim not in certain:
             continue  # a belt over loose cloth
         if claim is not None and claim not in implied:
-            if claim in _SHORT_SLEEVES and _LONG_SLEEVES in implied and _is_short_itself(text):
+            if claim in _SHORT_SLEEVES and _LONG_SLEEVES in implied and is_short_itself(text):
                 continue  # "a robe, short, with lace sleeves"
-            if claim.name in ("leg_cuffs", "leg_cuff_cm") and "turn_ups" in lacking:
+            if claim.name in ("leg_cuffs", "leg_cuff_cm") and not lacking.isdisjoint(_UNCUFFED):
                 continue
             if claim.name == "hips" and kinds == {"top"}:
                 continue
@@ -377,11 +389,6 @@ def _without_guesses(text: str, found: Iterable[Wish], words: WordReading) -> tu
                 continue
         kept.append(wish)
     return tuple(kept)
-
-
-def _is_short_itself(text: str) -> bool:
-    """Whether a garment is said to be short, and nothing that its sleeves are."""
-    return _SHORT.search(text) is not None and not _SLEEVES_CUT.search(text)
 
 
 def _is_outdone(wish: Wish, said: Sequence[Claim], never: Sequence[Claim]) -> bool:

@@ -175,7 +175,7 @@ def _as_another(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     if draft.name == "bustier" and Claim("shoulders", "both") in claims:
         return NamedDraft("fitted-top")
     if draft.name == "swimsuit":
-        return swimsuit_as_asked(draft, claims)
+        draft = swimsuit_as_asked(draft, claims)
     draft = on_tank_straps(draft, claims)
     if draft.name == _SWEATSHIRT and Claim("hood", "hood") in claims:
         return NamedDraft("hoodie", tuple([o for o in draft.options if o[0] in _OF_BANDED]))

@@ -18,11 +18,12 @@ from swifttailor.wishes.drafts.close_wraps import roomy_wrap_as_asked, wrapped_c
 from swifttailor.wishes.drafts.drafts_as_asked import draft_as_asked
 from swifttailor.wishes.drafts.drafts_of_names import covers, draft_of_kind, draft_of_name
 from swifttailor.wishes.drafts.fitted_dresses import fitted_as_asked
+from swifttailor.wishes.drafts.elastic_waists import denied_lacks, elastic_meant
 from swifttailor.wishes.drafts.godets_as_asked import godets_as_asked
 from swifttailor.wishes.drafts.gored_drafts import gored_as_said
 from swifttailor.wishes.drafts.hearted_drafts import hearted_as_asked
 from swifttailor.wishes.drafts.huge_skirts import huge_as_said
-from swifttailor.wishes.drafts.legs_by_words import ELASTIC, PULLED_ON, legs_as_said
+from swifttailor.wishes.drafts.legs_by_words import legs_as_said
 from swifttailor.wishes.drafts.loosened_drafts import is_to_be_loose, loosened_as_asked
 from swifttailor.wishes.drafts.low_skirts import low_as_asked
 from swifttailor.wishes.drafts.mandarin_collars import (
@@ -30,6 +31,7 @@ from swifttailor.wishes.drafts.mandarin_collars import (
     asks_for_mandarin_collar,
     with_mandarin_collar,
 )
+from swifttailor.wishes.drafts.measured_legs import legs_as_measured
 from swifttailor.wishes.drafts.modest_necks import modest_as_asked
 from swifttailor.wishes.drafts.one_collar import with_one_collar
 from swifttailor.wishes.drafts.opened_drafts import opened_as_asked
@@ -95,7 +97,6 @@ _COATS, _JACKETS = ("coat", "hooded-coat", "cape"), ("blazer", "turtleneck")
 _PULLED_ON = "t-shirt"
 _OPEN_JACKET = NamedDraft.parse("cardigan(length=22;chest_ease=14;neck_depth=16;opening=0;closed_to=8)")
 """Of a jacket whose sleeves are raglan or cut in one, which those of blazers are not."""
-_CLOSINGS = frozenset({"zip", "buttons"})
 _STRAPLESS = ("bandeau", "bustier", "strapless-dress", "strapless-jumpsuit")
 _BUSTIER, _STRAPS, _TIED = "bustier", ("straps", True), "shoulder bows"
 
@@ -131,7 +132,8 @@ def drafts_of(heard: Heard) -> tuple[NamedDraft, ...]:
     fitting = [as_high_as_said(draft, entries) for draft in fitting]
     if asks_for_sailor_collar(entries):
         fitting = [with_sailor_collar(draft) for draft in fitting]
-    fitting = [legs_as_said(draft, heard.text, _elastic(heard), heard.never) for draft in fitting]
+    fitting = [legs_as_said(draft, heard.text, elastic_meant(heard), heard.never) for draft in fitting]
+    fitting = [legs_as_measured(draft, heard.text, sure) for draft in fitting]
     lacks = frozenset([lack.what for lack in heard.lacks])
     fitting = [with_details(draft, lacks, sure) for draft in fitting]
     fitting = [with_shirt_collar(draft, heard.text, lacks) for draft in fitting]
@@ -141,10 +143,9 @@ def drafts_of(heard: Heard) -> tuple[NamedDraft, ...]:
     fitting = [wrapped_close_as_asked(draft, sure) for draft in wound_as_asked(fitting, sure)]
     fitting = [pleats_as_asked(draft, heard.lacks, sure) for draft in fitting]
     fitting = [huge_as_said(tier_as_said(draft, heard.text), heard.text) for draft in fitting]
-    closed = [closed_as_counted(draft, heard.text) for draft in fitting]
     wanted = {lack.what for lack in heard.lacks if lack.said}
-    opened = [opened_as_asked(draft, sure, wanted) for draft in closed]
-    found = dict.fromkeys([hem_as_asked(draft, sure, wanted, _denied(heard)) for draft in opened])
+    opened = [opened_as_asked(closed_as_counted(d, heard.text), sure, wanted) for d in fitting]
+    found = dict.fromkeys([hem_as_asked(draft, sure, wanted, denied_lacks(heard)) for draft in opened])
     return tuple(sorted(found, key=lambda draft: wanted.isdisjoint(draft.shows)))
 
 
@@ -299,20 +300,6 @@ def _named_skirts(heard: Heard, sure: Sequence[Claim]) -> list[Claim]:
 def _said_claims(heard: Heard) -> list[Claim]:
     """What words about details say."""
     return [] if heard.words is None else [i.claim for i in heard.words.implications if i.said]
-
-
-def _elastic(heard: Heard) -> frozenset[str]:
-    """That there is elastic, where words about details say so and mean the waist: not those of ankles."""
-    ankles = any(claim.name == "leg_cuffs" for e in heard.meant for claim in e.claims("certain"))
-    styles = [e for e in heard.meant if e.category == "styles" and e.drafts and not ankles]
-    pulled = [PULLED_ON] if _CLOSINGS <= _denied(heard) else []
-    return frozenset([*pulled, *[key for e in styles for key in e.cannot if key == ELASTIC]])
-
-
-def _denied(heard: Heard) -> frozenset[str]:
-    """What cannot be made of panels alone, and is refused."""
-    marks = () if heard.words is None else heard.words.marks
-    return frozenset([key for mark in marks if mark.denied for e in mark.entries for key in e.cannot])
 
 
 def _tells_no_garment(heard: Heard) -> bool:

@@ -59,10 +59,10 @@ _LOOSE, _LOOSE_CM = Claim("hips", "loose"), 12.0
 _LEGGINGS, _SHORTEST_LEGGINGS_CM = "leggings", 43.0
 _OF_JERSEY: Mapping[Claim, NamedDraft] = {
     Claim("legs", "flared"): NamedDraft.parse(
-        "flares(stretch=8;leg_ease=1.5;hip_ease=1.5;flare=26;length=103;band_height=7;crotch_drop=0)"
+        "flares(stretch=8;leg_ease=8;hip_ease=2;flare=28;length=103;band_height=7;crotch_drop=0)"
     ),
     Claim("legs", "straight"): NamedDraft.parse(
-        "flares(stretch=8;leg_ease=2;hip_ease=1.5;flare=8;length=100;band_height=7;crotch_drop=0)"
+        "flares(stretch=8;leg_ease=6;hip_ease=1.5;flare=8;length=100;band_height=7;crotch_drop=0)"
     ),
 }
 """What leggings are cut as whose legs are to be so: of the same cloth, and close to the knee."""

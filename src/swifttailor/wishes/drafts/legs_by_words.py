@@ -23,6 +23,19 @@ _DRAGS = re.compile(
 _NOT_LONG = re.compile(
     r"(?<!\w)(?:not|n't|nicht|isn't|aren't)\s+(?:\w+\s+)?(?:too|so|very|extra)\s+long", re.I
 )
+_SOFT = re.compile(
+    r"(?<!\w)(?:comf(?:y|ier|iest|ortable)|cosy|cozy|snuggl\w*|stay(?:ing)? at home|sofa|loung\w*|slouch\w*"
+    r"|(?:long[- ]haul|flights?|plane|airplane|travel(?:l?ing)?|train journey|road trip|car journeys?)"
+    r"|arthritis|after (?:an? |the |my )?(?:operation|surgery)|wheelchair|bequem\w*)(?!\w)",
+    re.IGNORECASE,
+)
+_FIRM = re.compile(
+    r"(?<!\w)(?:jeans?|denim|tailor\w*|suit|smart\w*|office|work|formal\w*|chinos?|cargos?|cords?|corduroy"
+    r"|slacks|dress (?:pants|trousers)|fly|zips?|zipped|buttons?|buttoned|creases?|turn[- ]?ups?|belts?"
+    r"|sailor|wide|flared?|flares|skinny|darts?)(?!\w)",
+    re.IGNORECASE,
+)
+"""Trousers that are to be easy to live in have an elastic waist, but not those that are firm by name."""
 _FOLDED = re.compile(
     r"(?<!\w)(?:(?:fold(?:s|ed|able|ing)?|roll(?:s|ed)?|turn(?:s|ed)?)[\s-]?(?:over|down|top)\b[\s-]?"
     r"(?:waist|band|top)\w*|yoga[\s-](?:waist|band)\w*|(?:rolled|folded|foldable) waist\w*"
@@ -62,6 +75,7 @@ _CROPPED = re.compile(
     r"(?<!\w)(?:crop(?:ped)?|ankle[- ]swinging|half[- ]mast)(?!\w)(?! (?:jacket|top|tee|cardigan|sleeve))",
     re.I,
 )
+_SLIGHTLY, _SLIGHTLY_CM = re.compile(r"(?<!\w)(?:slightly|a (?:little|bit|touch)|just) cropped", re.I), 91.0
 _CROPPED_CM: Mapping[str, float] = {
     "trousers": 84.0,
     "pull-on-trousers": 84.0,
@@ -98,7 +112,8 @@ def legs_as_said(
         wanted = [what for what in wanted if what != ELASTIC]
         if draft.name == "pull-on-trousers":
             draft = NamedDraft("trousers", tuple([each for each in draft.options if each[0] in _OF_BOTH]))
-    if draft.name == "trousers" and (folded or not {ELASTIC, PULLED_ON}.isdisjoint(wanted)):
+    soft = _SOFT.search(text) is not None and _FIRM.search(text) is None
+    if draft.name == "trousers" and (folded or soft or not {ELASTIC, PULLED_ON}.isdisjoint(wanted)):
         kept = {name: value for name, value in draft.options if name in _OF_BOTH}
         room = max(_PULLED_ON["hip_ease"], float(kept.get("hip_ease", 0.0)))
         draft = NamedDraft("pull-on-trousers", tuple({**_PULLED_ON, **kept, "hip_ease": room}.items()))
@@ -111,7 +126,8 @@ def legs_as_said(
         return replace(draft, options=tuple({**options, "gathers": full}.items()))
     long = float(options.get("length", _LONG_CM)) >= _LONG_CM
     if draft.name in _CROPPED_CM and long and _CROPPED.search(text):
-        return replace(draft, options=tuple({**options, "length": _CROPPED_CM[draft.name]}.items()))
+        cropped = _SLIGHTLY_CM if _SLIGHTLY.search(text) else _CROPPED_CM[draft.name]
+        return replace(draft, options=tuple({**options, "length": cropped}.items()))
     if draft.name in _WHOLE_LEGS and long and _SEVEN_EIGHTHS.search(text):
         return replace(draft, options=tuple({**options, "length": _SHORTER_CM}.items()))
     if draft.name in _LONGEST and long and _DRAGS.search(text) and not _NOT_LONG.search(text):

@@ -12,6 +12,7 @@ _LIKE_A_SWIMSUIT = {"stretch": 8.0, "sleeves": False, "armhole_drop": 2.0, "back
 _SQUARE_NECK = {"neckline": "square", "neck_widening": 5.0, "neck_depth": 15.0}
 _PLUNGING_NECK = {"neckline": "v", "neck_widening": 4.5, "neck_depth": 22.0}
 _SCOOPED_NECK = {"neck_widening": 4.5, "neck_depth": 15.0}
+_HIGH_NECK = {"neck_widening": 0.5, "neck_depth": 8.5, "strap_width": 5.0}
 _HALTER = {"halter": True, "strap_width": 3.5}
 _BACKS = {Claim("back_depth", "low"): 30.0, Claim("back_depth", "open"): 36.0}
 """Fall of backs that are seen to be low: those on straps run straight below the shoulder blades, cm."""
@@ -27,7 +28,8 @@ _HIGH_NECKS = frozenset(
     }
 )
 _TANK_STRAPS = Claim("straps", "wide")
-_ON_TANK_STRAPS = {"sleeves": False, "strap_width": 4.5, "neck_widening": 3.0, "neck_depth": 15.0}
+_ON_TANK_STRAPS = {"sleeves": False, "strap_width": 4.5, "neck_widening": 3.0}
+_TANK_NECK = {"neck_depth": 15.0}
 _STRAPS = frozenset({Claim("straps", "narrow"), Claim("shoulders", "strapless")})
 
 
@@ -44,7 +46,9 @@ def swimsuit_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
         neck = _SQUARE_NECK
     elif Claim("neck_depth", "plunging") in claims:
         neck = _PLUNGING_NECK
-    elif back and _STRAPS.isdisjoint(claims):
+    elif not _HIGH_NECKS.isdisjoint(claims) and _STRAPS.isdisjoint(claims):
+        neck = _HIGH_NECK
+    elif (back or _TANK_STRAPS in claims) and _STRAPS.isdisjoint(claims):
         neck = _SCOOPED_NECK
     else:
         return draft
@@ -75,4 +79,5 @@ def on_tank_straps(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     """
     if draft.name != "bodysuit" or _TANK_STRAPS not in claims:
         return draft
-    return replace(draft, options=tuple({**dict(draft.options), **_ON_TANK_STRAPS}.items()))
+    options = {**_TANK_NECK, **dict(draft.options), **_ON_TANK_STRAPS}
+    return replace(draft, options=tuple(options.items()))

@@ -15,6 +15,7 @@ from pathlib import Path
 from swifttailor.describing.differences import Change, Gain, Step, subject_of
 from swifttailor.wishes.text.clauses import clauses
 from swifttailor.wishes.text.flare_starts import flare_figures
+from swifttailor.wishes.text.leg_figures import leg_figures
 from swifttailor.wishes.text.mentions import find_mentions
 from swifttailor.wishes.text.text_tokens import LONGEST_TEXT
 from swifttailor.wishes.text.tier_heights import tier_figures
@@ -123,10 +124,10 @@ def _numbers(text: str, wishes: Collection[Change]) -> Iterator[_Place]:
         for wish in wishes
         if isinstance(wish, Gain | Step)
     ]
-    of_tiers = (*tier_figures(text), *flare_figures(text))
+    elsewhere = (*tier_figures(text), *flare_figures(text), *leg_figures(text))
     for mention in find_mentions(text):
         said = text[mention.start : mention.end]
-        if any(start <= mention.start < end for start, end in of_tiers):
+        if any(start <= mention.start < end for start, end in elsewhere):
             continue
         if not mention.is_length and not re.fullmatch(r"[\d.,]+", said):
             continue

@@ -343,6 +343,7 @@ def lay_sleeved_bodice(
     strap: float = 0.0,
     yoke: bool = False,
     racer: bool = False,
+    knit: bool = False,
 ) -> Halves:
     """Lays a bodice with sleeves, or with armholes further in.
 
@@ -354,6 +355,7 @@ def lay_sleeved_bodice(
         strap: Width of the shoulder where there are no sleeves, cm; 0: nearly all of it, or `RACER_STRAP_CM`.
         yoke: Whether it ends below the arms and has no darts.
         racer: Whether the back is cut in between the shoulder blades, where there are none.
+        knit: Whether it is of cloth that stretches, and has no darts.
 
     Returns:
         The sewn half widths of its waist, cm.
@@ -371,6 +373,7 @@ def lay_sleeved_bodice(
         extension,
         yoke=yoke,
         racer=racer and not options.sleeves,
+        knit=knit,
     )
     waist = lay_fitted_bodice(table, figure, bodice)
     _set_in_sleeves(table, figure, options)

@@ -19,6 +19,7 @@ from swifttailor.pattern.drafts.garments.fitted_garments import (
 )
 from swifttailor.pattern.drafts.garments.strappy import FrontDip, StrapWidth
 from swifttailor.pattern.drafts.halter_bodice import HalterBodice, lay_halter_bodice, sew_strap
+from swifttailor.pattern.drafts.in_one_piece import cut_in_one
 from swifttailor.pattern.drafts.joins import sew_trousers_to_band, sew_trousers_to_bodice
 from swifttailor.pattern.drafts.measurements import Measurements
 from swifttailor.pattern.drafts.neckline import Neckline
@@ -39,6 +40,8 @@ SeatCover = Annotated[
 _CROTCH_DROP_CM = 0.0
 _ROUND_CM = 11.0
 """Halters whose necklines fall less are round."""
+_KNIT_PERCENT = 3.0
+"""Cloth that stretches so much needs neither darts nor a seam at the waist."""
 _BRIEFS_BAND_CM, _BRIEFS_DROP_CM = 3.0, 3.0
 """Height of the band of briefs, and by how much they reach lower than what hangs from the shoulders."""
 
@@ -88,8 +91,12 @@ def draft_bodysuit(options: BodysuitOptions, measurements: Measurements) -> Patt
     """Drafts the bodysuit for a body: a darted bodice, sleeves or none, cut out over the legs."""
     figure = Figure.of(measurements).for_cloth(options.stretch / 100)
     table = CuttingTable("bodysuit", options.stretch / 100)
-    waist = lay_sleeved_bodice(table, figure, options, strap=options.strap_width, racer=options.racer)
-    return _without_legs(table, figure, Briefs(options.hip_ease, options.leg_height, _CROTCH_DROP_CM), waist)
+    knit = options.stretch >= _KNIT_PERCENT
+    waist = lay_sleeved_bodice(
+        table, figure, options, strap=options.strap_width, racer=options.racer, knit=knit
+    )
+    cut = Briefs(options.hip_ease, options.leg_height, _CROTCH_DROP_CM)
+    return _without_legs(table, figure, cut, waist, knit=knit)
 
 
 @dataclass(frozen=True)
@@ -101,7 +108,7 @@ class SwimsuitOptions:
     strap_width: StrapWidth = 2.5
     dip: FrontDip = 4.0
     hip_ease: CloseHipEase = 4.0
-    leg_height: LegHeight = 4.0
+    leg_height: LegHeight = 7.0
     stretch: declared.ClothStretch = 8.0
     halter: Annotated[bool, Option("Its front rises to the neck and is held by a strap behind it.")] = False
     neck_depth: Annotated[
@@ -123,16 +130,29 @@ def draft_swimsuit(options: SwimsuitOptions, measurements: Measurements) -> Patt
         waist = lay_halter_bodice(table, figure, front)
         assert waist is not None
     else:
-        bodice = FittedStrapBodice(options.strap_width, options.bust_ease, options.waist_ease, options.dip)
+        knit = options.stretch >= _KNIT_PERCENT
+        bodice = FittedStrapBodice(
+            options.strap_width, options.bust_ease, options.waist_ease, options.dip, knit=knit
+        )
         waist = lay_fitted_strap_bodice(table, figure, bodice)
     cut = Briefs(options.hip_ease, options.leg_height, _CROTCH_DROP_CM)
-    return _without_legs(table, figure, cut, waist, halter=options.halter)
+    knit = options.stretch >= _KNIT_PERCENT and not options.halter
+    return _without_legs(table, figure, cut, waist, halter=options.halter, knit=knit)
 
 
 def _without_legs(
-    table: CuttingTable, figure: Figure, briefs: Briefs, waist: Halves, *, halter: bool = False
+    table: CuttingTable,
+    figure: Figure,
+    briefs: Briefs,
+    waist: Halves,
+    *,
+    halter: bool = False,
+    knit: bool = False,
 ) -> Pattern:
+    """Lays what is below the waist, and sews it to the bodice; a `knit` has no seam there."""
     lay_briefs(table, figure, briefs, waist, figure.waist_y)
+    if knit:
+        cut_in_one(table)
     table.mirror()
     sew_centres(table)
     if halter:
