@@ -24,8 +24,8 @@ def reader() -> WishReader:
     [
         ("high waist knickers", "briefs", {"below_waist": 2.0}),
         ("bikini bottoms", "briefs", {"below_waist": 10.0}),
-        ("nightie", "shift-dress", {"sleeve_length": 22.0}),
-        ("nightgown", "shift-dress", {"sleeve_length": 58.0}),
+        ("nightie", "empire-dress", {"sleeve_length": 22.0, "yoke": True}),
+        ("nightgown", "empire-dress", {"sleeve_length": 58.0, "yoke": True}),
         ("cuffed cargo joggers", "joggers", {"leg_ease": 18.0}),
         ("boys shorts cargo", "trousers", {"length": 62.0}),
         ("maternity jeans", "leggings", {"band_height": 13.0}),

@@ -12,7 +12,7 @@ from swifttailor.pattern.drafts.draft_names import NamedDraft
 from swifttailor.wishes.drafts.armholes_as_asked import armholes_as_asked, one_racer
 from swifttailor.wishes.drafts.asked_hems import hem_as_asked
 from swifttailor.wishes.drafts.bubble_hems import bubble_as_asked
-from swifttailor.wishes.drafts.clinging_drafts import STRETCH, clinging_as_asked
+from swifttailor.wishes.drafts.clinging_drafts import STRETCH, clinging_as_asked, top_clinging_as_asked
 from swifttailor.wishes.drafts.close_skirts import close_skirt_as_asked
 from swifttailor.wishes.drafts.close_wraps import roomy_wrap_as_asked, wrapped_close_as_asked
 from swifttailor.wishes.drafts.drafts_as_asked import draft_as_asked
@@ -30,6 +30,7 @@ from swifttailor.wishes.drafts.mandarin_collars import (
     with_mandarin_collar,
 )
 from swifttailor.wishes.drafts.modest_necks import modest_as_asked
+from swifttailor.wishes.drafts.one_collar import with_one_collar
 from swifttailor.wishes.drafts.opened_drafts import opened_as_asked
 from swifttailor.wishes.drafts.oversized_drafts import oversized_as_asked
 from swifttailor.wishes.drafts.pleated_dresses import pleats_as_asked
@@ -95,15 +96,6 @@ _OPEN_JACKET = NamedDraft.parse("cardigan(length=22;chest_ease=14;neck_depth=16;
 _CLOSINGS = frozenset({"zip", "buttons"})
 _STRAPLESS = ("bandeau", "bustier", "strapless-dress", "strapless-jumpsuit")
 _BUSTIER, _STRAPS, _TIED = "bustier", ("straps", True), "shoulder bows"
-_SHAWL = ("lapels", "shawl")
-_SHAWL_CARDIGAN = NamedDraft(
-    "blazer", (_SHAWL, ("chest_ease", 13.0), ("waist_shaping", 0.5), ("neck_depth", 28.0))
-)
-"""A cardigan with a shawl collar is cut as a jacket of that collar is."""
-_MAY_BE_COLLARED = (
-    *("drop-waist-dress", "jumpsuit", "shift-dress", "swing-dress", "fitted-dress"),
-    *("shirt", "polo-shirt", "shirt-dress"),
-)
 
 
 def drafts_of(heard: Heard) -> tuple[NamedDraft, ...]:
@@ -122,6 +114,8 @@ def drafts_of(heard: Heard) -> tuple[NamedDraft, ...]:
     if _clings(heard) and not is_to_be_loose(sure):
         named = _named_skirts(heard, sure)
         fitting = [clinging_as_asked(draft, [*sure, *named]) for draft in fitting]
+    elif heard.cloth is None and not is_to_be_loose(sure):
+        fitting = [top_clinging_as_asked(draft, sure) for draft in fitting]
     fitting = [loosened_as_asked(roomy_wrap_as_asked(d, sure, heard.never), sure) for d in fitting]
     long = is_long_top(heard)
     fitting = [straight_as_said(to_the_legs_as_said(d, heard.text, long=long), heard.text) for d in fitting]
@@ -203,7 +197,7 @@ def _begun(heard: Heard, entries: Sequence[Entry], sure: Sequence[Claim]) -> lis
         kind, sure = "top", [claim for claim in sure if claim.name != "skirt_hem"]
     named = [draft for entry in entries for draft in entry.drafts if draft.kind == kind]
     named = _of_coats(named, entries)
-    named = _with_one_collar([as_not_refused(draft, heard.never) for draft in _in_detail(named, entries)])
+    named = with_one_collar([as_not_refused(draft, heard.never) for draft in _in_detail(named, entries)])
     fitting = [draft_as_asked(armholes_as_asked(draft, heard.lacks), sure) for draft in named]
     if not named and heard.kind in (None, "top") and _tells_no_garment(heard):
         fitting = [draft_as_asked(_SWEATSHIRT if _is_a_crewneck(sure) else _WHATEVER, sure)]
@@ -348,19 +342,6 @@ def _outdone(heard: Heard) -> list[Entry]:
     opposed = [mark for pair in words.contradictions for mark in (pair.first, pair.second)]
     kept = {i.mark.start for i in words.implications}
     return [entry for mark in opposed if mark.start not in kept for entry in mark.entries]
-
-
-def _with_one_collar(named: list[NamedDraft]) -> list[NamedDraft]:
-    """Shirts and dresses with the collar that another draft of the text has: a Peter Pan collar."""
-    if any(draft.name == "cardigan" for draft in named) and any(_SHAWL in draft.options for draft in named):
-        named = [_SHAWL_CARDIGAN if draft.name == "cardigan" else draft for draft in named]
-    collars = [option for draft in named for option in draft.options if option[0] == "collar"]
-    return [
-        replace(draft, options=(*draft.options, collars[0]))
-        if collars and draft.name in _MAY_BE_COLLARED and not any(n == "collar" for n, _ in draft.options)
-        else draft
-        for draft in named
-    ]
 
 
 def _in_detail(named: Sequence[NamedDraft], entries: Sequence[Entry]) -> list[NamedDraft]:
