@@ -48,6 +48,7 @@ FLAT = (
     "neck rib",
     "armhole ribs",
     "hem rib",
+    "knit bands",
     "side stripes",
     "satin stripes",
     "sleeve stripes",

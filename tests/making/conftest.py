@@ -70,6 +70,7 @@ TRIMMED = {
     "banded dress": ("shift-dress", ("bands", "side panels")),
     "sundress": ("strappy-dress", ("shoulder bows", "fur trim")),
     "vest": ("tank-top", ("neck rib", "armhole ribs", "hem rib")),
+    "knitted jacket": ("cardigan", ("knit bands",)),
     "pyjama bottoms": ("pull-on-trousers", ("elastic waist",)),
     "slip": ("fitted-dress", ("lace trim", "waist bow")),
     "suit trousers": ("trousers", ("fly", "creases", "front pleats", "stirrups", "side stripes")),

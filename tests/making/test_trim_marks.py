@@ -40,7 +40,7 @@ NAMES = (
     "joggers", "polo shirt", "suit", "coat with big buttons", "puffer", "turned-up trousers", "tunic",
     "dirndl", "blouse", "piped shirt", "yoked blouse", "cape", "working vest", "track top", "track bottoms",
     "biker jacket", "raincoat", "duffle coat",
-    "banded dress", "sundress", "vest", "pyjama bottoms", "slip",
+    "banded dress", "sundress", "vest", "knitted jacket", "pyjama bottoms", "slip",
     "suit trousers", "dinner trousers", "hakama",
     "keyhole top", "police shirt", "cheongsam", "sari",
     "hospital gown", "smock", "corset dress", "evening shirt", "ringer tee",

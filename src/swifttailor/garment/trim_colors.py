@@ -76,7 +76,7 @@ _SOFT = (
 """Folds of the cloth itself, which are shades and no stitches."""
 _UNDYED, _PALE = "#f1efe9", 0.62
 """Threads inside of cloth, and how much of their colour shows where it is worn."""
-_RIBS = ("neck rib", "armhole ribs", "hem rib", "folded band")
+_RIBS = ("neck rib", "armhole ribs", "hem rib", "knit bands", "folded band")
 _OF_THE_WHOLE = ("shoulder drape",)
 """What is of the garment's own cloth, whatever the panel below it is."""
 _SEEN_ON_DARK, _LINES_ON_DARK = 0.012, 0.04

@@ -10,6 +10,7 @@ import numpy as np
 
 from swifttailor.arrays import Array, Floats, Ints
 from swifttailor.garment.trim_pieces import TrimMesh, ball, front_of
+from swifttailor.pattern.trims.knit_bands import KNIT_BANDS
 from swifttailor.pattern.trims.shapes import Bow, Frill
 
 if TYPE_CHECKING:
@@ -26,6 +27,8 @@ _LIFT = 0.25
 """A frill lies so far above the cloth where it is sewn on, cm."""
 _FLAT_LIFT = 0.2
 """So much higher do flat strips lie, which bend less than the cloth, cm."""
+_RIB_COLUMNS = 2
+"""So many columns are between two furrows of a ribbed band."""
 _NEAREST = 6
 """By so many vertices of the cloth the level of a flat strip on it is told."""
 _HANGS = 0.7
@@ -73,6 +76,8 @@ def frill_meshes(garment: Garment, frill: Frill) -> list[TrimMesh]:
                 line + _FLAT_LIFT * normals, -away, normals, frill.depth, swing=0.0
             )
             vertices = _laid_on(garment, {ref.panel for ref in frill.edges}, vertices)
+            if frill.trim == KNIT_BANDS:
+                lines = np.concatenate([lines, _ribs_across(len(line))])
             found.append(TrimMesh(frill.trim, "cloth", vertices, faces, lines))
             continue
         if frill.trim == "shoulder frills":
@@ -89,6 +94,13 @@ def frill_meshes(garment: Garment, frill: Frill) -> list[TrimMesh]:
         vertices, faces, lines = make(line, ways, normals, frill.depth)
         found.append(TrimMesh(frill.trim, "cloth", vertices, faces, lines))
     return found
+
+
+def _ribs_across(count: int) -> Ints:
+    """(k, 2) lines across a strip of so many columns, as vertex indices: the furrows between its ribs."""
+    columns = np.arange(_RIB_COLUMNS, count - 1, _RIB_COLUMNS)
+    rows = columns + count * np.arange(_ROWS)[:, None]
+    return np.stack([rows[:-1], rows[1:]], axis=-1).reshape(-1, 2).astype(np.int32)
 
 
 def _over_shoulder(line: Floats, away: Floats, normals: Floats) -> list[tuple[Ints, Floats]]:

@@ -16,6 +16,7 @@ from swifttailor.garment.trim_layers import laid_over, layer_mesh
 from swifttailor.garment.trim_pieces import AROUND, TrimMesh, ball, front_of
 from swifttailor.garment.trim_stirrups import stirrup_mesh
 from swifttailor.garment.trunk_cloth import around_trunk
+from swifttailor.pattern.trims.knit_bands import KNIT_BANDS
 from swifttailor.pattern.trims.names import COUNTED
 from swifttailor.pattern.trims.placing import place_trims
 from swifttailor.pattern.trims.rips import threads_across
@@ -33,7 +34,7 @@ _FINE_STEP, _HANGING, _FOLD_LIFT = 0.5, 1.6, 0.05
 how far its edges lie above the cloth, cm."""
 _QUILTING_LIFT = 0.14
 """Stitches through wadding lie deeper than those on top of pockets."""
-_BUTTON_LIFT, _BUTTON_HEIGHT = 0.34, 0.22
+_BUTTON_LIFT, _ON_BANDS, _BUTTON_HEIGHT = 0.34, 0.7, 0.22
 _BELT_LIFT, _BELT_SIDES, _BELT_REACH = 0.5, 96, 2.5
 _LEAST_REACH = 1.5
 _KEEPS_TO = 0.002
@@ -179,7 +180,7 @@ def _button(garment: Garment, button: Button) -> TrimMesh:
     u, v = _beside(normal)
     angle = np.arange(AROUND) * (2 * np.pi / AROUND)
     circle = np.cos(angle)[:, None] * u + np.sin(angle)[:, None] * v
-    middle = at + _BUTTON_LIFT * normal
+    middle = at + (_ON_BANDS if KNIT_BANDS in garment.pattern.trims else _BUTTON_LIFT) * normal
     low, high = (
         middle + button.radius * circle,
         middle + 0.8 * button.radius * circle + _BUTTON_HEIGHT * normal,

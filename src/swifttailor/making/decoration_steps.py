@@ -28,6 +28,7 @@ _TITLES: Mapping[str, str] = {
     "neck rib": "Ribbed band at the neck",
     "armhole ribs": "Ribbed bands at the armholes",
     "hem rib": "Ribbed band at the hem",
+    "knit bands": "Ribbed band",
     "hem border": "Border along the hem",
     "folded band": "Band that is folded over",
     "neck frill": "Frill around the neck",
@@ -376,6 +377,11 @@ def _frill(frill: Frill) -> str:
             f"Cut strips of ribbed knit {2 * frill.depth + 2:.0f} cm wide, {_RIB_SHARE * length:.0f} cm "
             f"in all. Close them to rings, fold them lengthwise, stretch them to {length:.0f} cm, and sew "
             "them to the edge."
+        )
+    if frill.trim == "knit bands":
+        return (
+            f"Cut a strip of ribbed knit {2 * frill.depth + 2:.0f} cm wide and {_RIB_SHARE * length:.0f} cm "
+            f"long, fold it lengthwise, stretch it to {length:.0f} cm, and sew it over the edge."
         )
     if frill.trim == "folded band":
         return (

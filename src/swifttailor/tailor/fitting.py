@@ -120,7 +120,9 @@ def fit(written: WrittenPattern, wanted: Wanted, *, drafted: bool = False) -> An
         senseless=taken is not None and _is_senseless(taken.facts),
         sits_badly=()
         if taken is None or not wanted.unsaid
-        else sits_badly(taken.facts, (*changes, *maybe), cloth_stretch=pattern.cloth_stretch),
+        else sits_badly(
+            taken.facts, (*changes, *maybe), cloth_stretch=pattern.cloth_stretch, drafted=drafted
+        ),
         beyond_usual=() if taken is None or not unsaid else beyond_usual((*changes, *maybe), taken.facts),
         holes=not of_edit and _is_torn(pattern, edit),
         one_sided=() if of_edit else _unasked(pattern, (*changes, *maybe) if alters else (), edit),

@@ -18,13 +18,16 @@ LOOSE_BAND_CM = 8.0
 """So much wider than the waist a band stands off, or slides down."""
 
 
-def sits_badly(facts: GarmentFacts, said: Sequence[Change], *, cloth_stretch: float = 0.0) -> tuple[str, ...]:
+def sits_badly(
+    facts: GarmentFacts, said: Sequence[Change], *, cloth_stretch: float = 0.0, drafted: bool = False
+) -> tuple[str, ...]:
     """What a customer would send back although all that was asked for is so.
 
     Args:
         facts: Of the garment.
         said: What is asked for or likely meant: what of this is spoken of is no fault.
         cloth_stretch: See `Pattern.cloth_stretch`.
+        drafted: Whether it is a draft that the words name: a collar of such stands away only where it is to.
 
     Returns:
         Each in words; empty where nothing is.
@@ -33,7 +36,7 @@ def sits_badly(facts: GarmentFacts, said: Sequence[Change], *, cloth_stretch: fl
     names = {claim.name for claim in claims}
     found = []
     collar, neck, band, body = facts.collar, facts.front_neck, facts.waistband, facts.body
-    if collar is not None and collar.kind == "stand" and neck is not None:
+    if collar is not None and collar.kind == "stand" and neck is not None and not drafted:
         wide = neck.width > CLOSE_NECK_CM or neck.depth > CLOSE_NECK_DEPTH_CM
         if wide and not names & {"neck_depth", "neck_depth_cm"}:
             found.append("its collar stands away from the neck")

@@ -66,3 +66,16 @@ def test_very_wide_tops_narrow_to_the_hem_and_others_do_not(name: str) -> None:
     flared = swifttailor.draft("t-shirt", chest_ease=34.0, length=32.0, flare=4.0)
     plain = swifttailor.draft("t-shirt", chest_ease=34.0, length=32.0)
     assert sum(hem_half(flared, side) - hem_half(plain, side) for side in "fb") > 6.0
+
+
+@pytest.mark.parametrize("options", [{"waist_shaping": 1.0}, {"waist_shaping": 2.5, "stretch": 5.0}, {}])
+def test_tops_of_jersey_leave_little_room_over_the_hips(options: dict[str, float]) -> None:
+    top = swifttailor.draft("t-shirt", length=22.0, chest_ease=8.0, **options)
+    body = FIGURE.for_cloth(options.get("stretch", 0.0) / 100).girth_below_waist(22.0)
+    room = 2 * sum(hem_half(top, side) for side in "fb") - body.girth
+    assert 2.0 < room < 6.0
+
+
+def test_loose_tops_of_jersey_narrow_to_the_hem() -> None:
+    loose, usual = (swifttailor.draft("t-shirt", length=22.0, chest_ease=ease) for ease in (16.0, 8.0))
+    assert sum(hem_half(loose, side) - hem_half(usual, side) for side in "fb") < 2.0

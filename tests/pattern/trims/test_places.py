@@ -61,6 +61,7 @@ SHOULD_HAVE = {
     "neck rib": ("t-shirt", "sweatshirt", "tank-top"),
     "armhole ribs": ("tank-top",),
     "hem rib": ("tank-top", "t-shirt"),
+    "knit bands": ("cardigan", "sweatshirt"),
     "neck frill": (*[name for name in TOPS if name != "hoodie"], "shirt-dress"),
     "sleeve frills": ("t-shirt", "shirt", "shirt-dress"),
     "sleeve turn-ups": ("t-shirt", "shirt", "shirt-dress", "blazer"),

@@ -26,7 +26,7 @@ def corners(trim: Patch | Button | Bow) -> np.ndarray:
     return trim.outline if isinstance(trim, Patch) else np.array([trim.at])
 
 
-SEWN_IN = ("side stripes", "satin stripes", "sleeve stripes", "front frills", "shoulder frills")
+SEWN_IN = ("side stripes", "satin stripes", "sleeve stripes", "front frills", "shoulder frills", "knit bands")
 """What lies beside seams."""
 
 

@@ -10,6 +10,7 @@ from swifttailor.pattern.drafts.bust_dart import draw_side_with_bust_dart
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure, Halves
 from swifttailor.pattern.drafts.hem_dart import darted_half, draw_darted_hem, hem_dart
+from swifttailor.pattern.drafts.hem_room import WOVEN, HemRoom
 from swifttailor.pattern.drafts.neckline import Neckline, draw_bare_back, draw_neckline
 from swifttailor.pattern.drafts.outline import Outline, Point
 from swifttailor.pattern.drafts.side_seam import (
@@ -47,13 +48,10 @@ POINT_X = 5.0
 """Distance of the point of a pointed front hem from the middle, cm."""
 _LEVEL_TO, _LEVEL_FROM = 0.55, 0.72
 """As parts of the way to the side, controls of a hem that is level in the middle and again at the side."""
-_PER_SHAPING = 2.0
-"""Width around at the hem for each centimetre by which the sides are bent in."""
 _ABOVE_SEAT_CM = 6.0
 """What ends less far below the waist does not reach the seat; from twice that on it does."""
-_WIDE_CM, _LONGEST_TOP_CM, _TAPER, _MOST_TAPER_CM = 18.0, 42.0, 0.75, 12.0
-"""Tops with more room at the chest and straight sides narrow to the hem by a part of it, cm around: arms that
-are held out draw wide sides up and outward, and the hem would wing out like a bell."""
+_LONGEST_TOP_CM, _TAPER = 42.0, 0.75
+"""Up to where wide tops narrow to the hem, and by which part of their room at the chest."""
 _LEAST_CURVE = 6.0
 """Between bends of a side seam that follows the body, cm."""
 _FOLLOWING_EASE = 1.0
@@ -84,6 +82,7 @@ class LooseBodice:
     """Armhole seam beyond (positive) or inside (negative) the shoulder tip, cm."""
     waist_shaping: float = 0.0
     """How far each side seam bends inward between underarm and hem, cm."""
+    hem_room: HemRoom = WOVEN
     front_point: float = 0.0
     """How far the front hem falls to a point beside the middle, cm."""
     front_slit: float = 0.0
@@ -147,8 +146,8 @@ def lay_loose_bodice(table: CuttingTable, figure: Figure, shape: LooseBodice) ->
         widening = min(max((body.girth - chest.girth) / 4, -shaping), widening)
         shaping = 0.0
     elif shaping and not follows:  # bent sides are narrower above the hem, and the seat holds them up
-        least = body.girth + _PER_SHAPING * shaping - chest.girth
-        widening = max(widening, least / 4)
+        least = body.girth + shape.hem_room.per_shaping * shaping - chest.girth
+        widening = least / 4 if shape.hem_room.narrows else max(widening, least / 4)
     if follows:
         shaping = 0.0
         widening = _half_at(figure, shape, hem_y).girth / 4 - chest.girth / 4
@@ -234,7 +233,8 @@ def lay_loose_bodice(table: CuttingTable, figure: Figure, shape: LooseBodice) ->
 def _taper(shape: LooseBodice) -> float:
     """How much narrower a very wide top is at its hem than at the chest, cm for each half."""
     top = 0.0 < shape.length <= _LONGEST_TOP_CM
-    return min(max(_TAPER * (shape.chest_ease - _WIDE_CM), 0.0), _MOST_TAPER_CM) / 4 if top else 0.0
+    wide = max(_TAPER * (shape.chest_ease - shape.hem_room.wide), 0.0)
+    return min(wide, shape.hem_room.most_taper) / 4 if top else 0.0
 
 
 def follows_body(stretch: float, waist_shaping: float, armhole: str = "set-in") -> bool:

@@ -82,7 +82,7 @@ class NamedDraft:
     @property
     def stands(self) -> bool:
         """Whether it has a collar that stands on a close neck instead of the one that it has by itself."""
-        return not {MANDARIN, STANDING, ROLLED, ("standing", True)}.isdisjoint(self.options)
+        return not {MANDARIN, STANDING, ROLLED, LOOSE, ("standing", True)}.isdisjoint(self.options)
 
     @property
     def is_to_the_eye(self) -> tuple[tuple[str, str | float], ...]:
@@ -129,6 +129,7 @@ class NamedDraft:
         legs = (*legs, *(_OF_BODY_BANDS if self.name in _BODY_BANDS else ()))
         legs = (*legs, *self._tiers_to_the_eye, *(_OF_LONG_TOPS if long else ()))
         tall = _OF_TALL if stands and float(dict(self.options).get("collar_height", 0.0)) > _TALL_CM else ()
+        tall = _OF_LOOSE_COLLARS if LOOSE in self.options else tall
         shown = (_OF_STANDS if stands else (), tall, slits, falls, bib, broad, high, wings, hem, legs)
         are = _HALTER if options.get("halter") else DRAFTS_ARE.get(self.name, ())
         high_halter = options.get("halter") and float(options.get("neck_depth", _V_CM)) < _V_CM
@@ -182,8 +183,8 @@ STANDING, MANDARIN = ("collar", "standing"), ("collar", "mandarin")
 """The options of a collar that stands, closed or open in front."""
 HOODED = ("collar", "hood")
 """The option of a hood instead of one."""
-ROLLED = ("collar", "rolled")
-"""The option of one that is turned down over itself."""
+ROLLED, LOOSE = ("collar", "rolled"), ("collar", "loose")
+"""The options of one that is turned down over itself, and of a wide one that falls over itself."""
 WIDE_CM, _OF_WIDE_STRAPS = 4.5, (("neckline", "square"), ("shoulders", "both"))
 """Straps that are seen to be wide, and what they make of the straight edge between them."""
 STRAP_WIDTH = "strap_width"
@@ -228,6 +229,7 @@ ROOMY_CM = 7.0
 A_LINE_CM = 12.0
 """Shift dresses with hems so much wider than straight ones are A-line."""
 _OF_STANDS, _OF_TALL = (("neck_depth", "high"),), (("collar", "stand"),)
+_OF_LOOSE_COLLARS = (("collar", "turtleneck"), ("collar", "stand"))
 _TALL_CM = 6.0
 """Collars that stand higher are measured as turtlenecks."""
 _OF_FLARE, _OF_NO_FLARE = (("skirt", "a-line"),), (("skirt", "straight"),)
@@ -274,7 +276,7 @@ _OF_CLOSE_TIERS = (
     *[("skirt", value) for value in ("tiered", "gathered tiers", "fitted base")],
     ("hips", "close"),
 )
-LONG_TOP_CM, _LONG_TOPS, _OF_LONG_TOPS = 40.0, ("turtleneck", "t-shirt"), (("top_hem", "long"),)
+LONG_TOP_CM, _LONG_TOPS, _OF_LONG_TOPS = 40.0, ("turtleneck", "t-shirt", "cardigan"), (("top_hem", "long"),)
 """Tops that end so far below the waist are long ones, and may be longer: a kurta."""
 FULL_TIERS = 1.6
 """Tiers so many times as wide as those above them make a skirt that flares."""
@@ -333,6 +335,7 @@ _COLLARS_SHOW: Mapping[str, tuple[str, ...]] = {
     "revers": ("shirt_collar",),
     "standing": (),
     "rolled": (),
+    "loose": (),
     "hood": (),
 }
 """What a collar shows in place of the one that a draft has by itself."""

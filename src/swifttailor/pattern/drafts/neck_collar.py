@@ -24,7 +24,7 @@ from swifttailor.pattern.drafts.turned_collar import TurnedCollar, lay_turned_co
 SewnCollarShape = Literal[
     "shirt", "folded", "flat", "sailor", "standing", "mandarin", "rolled", "revers", "hood"
 ]
-CollarShape = Literal["none", SewnCollarShape]
+CollarShape = Literal["none", "loose", SewnCollarShape]
 _SHAPES = (
     "shirt: a stand on a close neck, turned down over itself; folded: flat over a V neck 7 to 16 cm deep; "
     "flat: with rounded ends on a close neck; sailor: from the point of a V to a square on the back; "
@@ -40,6 +40,10 @@ _FOLDED_DEPTH = 7.0, 16.0
 _STANDING_WIDENING, _STANDING_DEPTH, _STANDING_BEHIND = -0.8, 6.0, 2.2
 """Of necklines of collars that stand, cm: on wider ones, or higher ones behind, they stand away from the
 neck."""
+_LOOSE_WIDENING, _LOOSE_DEPTH, _LOOSE_BEHIND = 2.0, 9.5, 3.0
+"""Of necklines of a wide collar that falls in folds over itself, cm."""
+_LOOSE_STAND, _LOOSE_FLARE_CM = 0.6, 2.5
+"""How much of its height it stands, and the room of what falls over that, a quarter, cm."""
 _FLAT_WIDENING, _FLAT_DEPTH = -0.5, 9.0
 """Of necklines of flat collars, cm."""
 _REVERS_DEPTH, _REVERS_CM = (16.0, 20.0), 6.5
@@ -83,6 +87,8 @@ class NeckCollar:
             return Neckline("round", _HOOD_WIDENING, _HOOD_DEPTH, _BEHIND)
         if self.shape == "flat":
             return Neckline("round", _FLAT_WIDENING, _FLAT_DEPTH, _STANDING_BEHIND)
+        if self.shape == "loose":
+            return Neckline("round", _LOOSE_WIDENING, _LOOSE_DEPTH, _LOOSE_BEHIND)
         if self.shape in ("standing", "mandarin", "shirt", "rolled"):
             return Neckline("round", _STANDING_WIDENING, _STANDING_DEPTH, _STANDING_BEHIND)
         return asked
@@ -97,6 +103,9 @@ class NeckCollar:
         elif self.shape == "rolled":
             rolled = TurnedCollar(self.height, self.height - _STAND_SHOWS_CM, _ROLL_FLARE_CM, points=None)
             lay_turned_collar(table, figure, rolled)
+        elif self.shape == "loose":
+            loose = TurnedCollar(_LOOSE_STAND * self.height, self.height, _LOOSE_FLARE_CM, points=None)
+            lay_turned_collar(table, figure, loose)
         elif self.shape in ("standing", "mandarin"):
             lay_stand_collar(table, figure, self.height, split=self.shape == "mandarin")
         elif self.shape == "hood":
@@ -118,8 +127,8 @@ class NeckCollar:
             self._revers.sew(table)
         elif self.shape != "none":
             sew_collar(table, split=self.shape == "mandarin")
-        if self.shape in ("shirt", "rolled"):
-            sew_turned_collar(table, joined=self.shape == "rolled")
+        if self.shape in ("shirt", "rolled", "loose"):
+            sew_turned_collar(table, joined=self.shape != "shirt")
 
 
 NO_COLLAR = NeckCollar("none", 0.0, 0.0)

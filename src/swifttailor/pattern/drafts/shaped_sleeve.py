@@ -29,6 +29,13 @@ TrailingOption = Annotated[
 BalloonOption = Annotated[
     Literal["plain", "balloon"], Option("Balloon: full, gathered into the cuff where there is one.")
 ]
+KnittedSleeveOption = Annotated[
+    Literal["plain", "balloon", "bell", "wide"],
+    Option(
+        "Balloon: full, gathered into the cuff where there is one. Bell: widens to the end, without a cuff. "
+        "Wide: widens a little, without a cuff."
+    ),
+]
 ArmholeCut = Literal["set-in", "raglan", "cut-in-one"]
 ArmholeCutOption = Annotated[
     ArmholeCut,

@@ -39,6 +39,7 @@ from swifttailor.pattern.trims.illusion import illusion_yoke
 from swifttailor.pattern.trims.keyholes import keyhole
 from swifttailor.pattern.trims.kilt_edge import kilt_edge
 from swifttailor.pattern.trims.knee_patches import knee_patches
+from swifttailor.pattern.trims.knit_bands import KNIT_BANDS, knit_bands
 from swifttailor.pattern.trims.layers import layer
 from swifttailor.pattern.trims.nape_bow import nape_bow
 from swifttailor.pattern.trims.neck_gathers import neck_gathers
@@ -101,6 +102,7 @@ _PLACES: Mapping[str, Callable[[Chalk, str], list[Trim]]] = {
     "neck rib": decorations.neck_rib,
     "armhole ribs": decorations.armhole_ribs,
     "hem rib": decorations.hem_rib,
+    KNIT_BANDS: knit_bands,
     "neck frill": decorations.neck_frill,
     "sleeve frills": decorations.sleeve_frills,
     "sleeve turn-ups": decorations.sleeve_turn_ups,

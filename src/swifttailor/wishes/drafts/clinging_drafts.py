@@ -6,7 +6,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from swifttailor.describing.claims import Claim
-from swifttailor.pattern.drafts.draft_names import NamedDraft
+from swifttailor.pattern.drafts.draft_names import SIDE_SLITS, NamedDraft
+from swifttailor.wishes.drafts.close_drafts import SHAPED_TO_CM
 
 STRETCH, SHAPING = "stretch", "waist_shaping"
 """Key of ``cannot.txt`` and option of drafts; the option of how far side seams bend inward."""
@@ -21,6 +22,7 @@ _SPORT_LENGTH_CM, _WAIST_CM = 27.0, 12.0
 """They end low on the seat, which shorter ones ride up, unless they end at the waist, cm below it."""
 _KNITTED = ("t-shirt", "tank-top", "turtleneck", "shift-dress")
 """Drafts without darts that follow the body where their cloth stretches."""
+_TOPS, _CLOSE = _KNITTED[:3], Claim("fit", "close")
 _DRESSES = ("fitted-dress", "skater-dress")
 """Drafts with a waist seam and darts that knitted dresses do without."""
 _OF_DRESSES = (
@@ -115,6 +117,16 @@ def clinging_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     if draft.name.endswith("jumpsuit") and not _WIDE_LEGS.intersection(claims):
         options = {**_SLIM, **options, "leg_ease": min(float(options.get("leg_ease", 2.0)), 3.0)}
     return replace(draft, options=tuple(options.items()))
+
+
+def top_clinging_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
+    """A top that is pulled on and to be close, of no cloth that is told: of jersey; others as they are."""
+    options = dict(draft.options)
+    if _CLOSE not in claims or draft.name not in _TOPS or SIDE_SLITS in options:
+        return draft
+    if float(options.get("length", 99.0)) <= SHAPED_TO_CM and options.get(SHAPING):  # darted to the waist
+        return draft
+    return clinging_as_asked(draft, claims)
 
 
 def _without_waist(draft: NamedDraft) -> NamedDraft:

@@ -12,6 +12,7 @@ from swifttailor.pattern.drafts.draft_names import (
     BARE_SHOULDERED,
     COLLARED,
     HOODED,
+    LOOSE,
     ROLLED,
     SIDE_SLITS,
     STANDING,
@@ -357,6 +358,8 @@ def _stands(claims: Sequence[Claim]) -> bool:
 
 def _with_stand(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     if draft.name == _SWEATSHIRT:
+        if LOOSE in draft.options:
+            return draft
         collar = ROLLED if _ROLLED in claims else STANDING
         high = {"collar_height": _ROLL_CM} if _ROLLED in claims else {}
         return replace(draft, options=tuple({**high, **dict(draft.options), collar[0]: collar[1]}.items()))

@@ -12,7 +12,7 @@ from swifttailor.pattern.drafts.draft_names import NamedDraft
 from swifttailor.wishes.drafts.armholes_as_asked import armholes_as_asked, one_racer
 from swifttailor.wishes.drafts.asked_hems import hem_as_asked
 from swifttailor.wishes.drafts.bubble_hems import bubble_as_asked
-from swifttailor.wishes.drafts.clinging_drafts import STRETCH, clinging_as_asked
+from swifttailor.wishes.drafts.clinging_drafts import STRETCH, clinging_as_asked, top_clinging_as_asked
 from swifttailor.wishes.drafts.close_skirts import close_skirt_as_asked
 from swifttailor.wishes.drafts.close_wraps import roomy_wrap_as_asked, wrapped_close_as_asked
 from swifttailor.wishes.drafts.drafts_as_asked import draft_as_asked
@@ -117,6 +117,8 @@ def drafts_of(heard: Heard) -> tuple[NamedDraft, ...]:
     if _clings(heard) and not is_to_be_loose(sure):
         named = _named_skirts(heard, sure)
         fitting = [clinging_as_asked(draft, [*sure, *named]) for draft in fitting]
+    elif heard.cloth is None and not is_to_be_loose(sure):
+        fitting = [top_clinging_as_asked(draft, sure) for draft in fitting]
     fitting = [loosened_as_asked(roomy_wrap_as_asked(d, sure, heard.never), sure) for d in fitting]
     long = is_long_top(heard)
     fitting = [straight_as_said(to_the_legs_as_said(d, heard.text, long=long), heard.text) for d in fitting]

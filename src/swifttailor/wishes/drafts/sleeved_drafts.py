@@ -71,12 +71,19 @@ _USUAL = {"puffed": 22.0, "bell": 44.0, "balloon": 60.0, "plain": 44.0, "flounce
 """From the shoulder tip, cm, where nothing is said of the length."""
 _SLIM_END = 21.0
 """Width around at the end of long puffed sleeves, cm."""
+_OPEN_ENDS: Mapping[str, Mapping[str, float | str]] = {
+    "plain": {"sleeve_shape": "wide", "arm_ease": 14.0},
+    "bell": {"sleeve_shape": "bell", "arm_ease": 10.0},
+}
+"""Sleeves of jumpers that are to be wide, or wide at their ends."""
+_FULL_ABOVE_RIBS = {"arm_ease": 15.0, "sleeve_end": 34.0}
+"""Wide sleeves of cardigans, which end in ribbed cuffs all the same."""
 _WIDE = {"arm_ease": 18.0, "sleeve_end": 46.0}
 _LONG_WIDE = {"arm_ease": 18.0, "sleeve_shape": "wide"}
 """Of sleeves that are to be wide; long ones so wide all the way would turn around the wrists."""
 _SHORT_WIDE: Mapping[str, float | bool] = {"arm_ease": 10.0, "sleeve_end": 42.0, "cuffs": False}
 """Of short ones of shirts: cuffs would gather them, and wider tops fold over as puffed ones do."""
-_ENDS: Mapping[float, float] = {16.0: 33.0, 22.0: 33.0, 34.0: 31.0, 44.0: 28.0, 60.0: 24.0, 66.0: 24.0}
+_ENDS: Mapping[float, float] = {16.0: 33.0, 22.0: 33.0, 34.0: 31.0, 44.0: 28.0, 60.0: 24.0, 66.0: 28.0}
 """Width around at the end of plain sleeves of those lengths, cm."""
 _SHIRT_END = 34.0
 """The same of the short sleeves of shirts, which have no cuffs."""
@@ -106,6 +113,11 @@ def sleeves_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
         return _slim(_with_plain_sleeves(draft, claims), claims)
     if draft.name in _CUFFED and shape == "balloon":
         return replace(draft, options=tuple({**options, "sleeve_shape": shape}.items()))
+    if draft.name == "sweatshirt" and shape in _OPEN_ENDS:
+        told = {"sleeve_length": _told_lengths(claims)[0]} if _told_lengths(claims) else {}
+        return replace(draft, options=tuple({**options, **_OPEN_ENDS[shape], **told}.items()))
+    if draft.name == "cardigan" and options.get("ribbed") and shape == "plain":
+        return replace(draft, options=tuple({**options, **_FULL_ABOVE_RIBS}.items()))
     if draft.name in _TAILORED and shape != "plain":
         long = {"sleeve_length": _told_lengths(claims)[0]} if _told_lengths(claims) else {}
         return replace(draft, options=tuple({**options, "sleeve_shape": shape, **long}.items()))

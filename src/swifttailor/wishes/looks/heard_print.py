@@ -95,6 +95,8 @@ _VAGUE = frozenset("print prints printed patterned patterning mixed".split()) | 
 _SIZE = {"stripes": ("width", "gap"), "checks": ("width",), "plaid": ("spacing",), "motif": ("repeat",)}
 
 
+_PLAIN_STRIPES = {"width": 2.5, "gap": 2.5}
+"""Sizes of stripes of which a text says no more."""
 _OF_NAMES = 2
 """How vague a print is that the name of a garment means."""
 
@@ -122,7 +124,7 @@ def heard_print(
     named = next(entry.print for entry in mark.entries if entry.print is not None)
     apart = _sized(text, words, mark)
     named = named if apart is None else apart
-    sizes = dict(named.sizes) | _stated_sizes(text, mark, named.kind)
+    sizes = dict(named.sizes) | _usual_stripes(marks, named) | _stated_sizes(text, mark, named.kind)
     if named.kind == "stripes" and "angle" not in sizes and _is_striped_down(words):
         sizes = dict.fromkeys(("width", "gap"), _SHIRTING_CM) | _unlike(sizes, "stripes") | {"angle": 90.0}
     turned = next((angle for words_, angle in _DIRECTIONS if words_.search(text)), None)
@@ -287,6 +289,14 @@ def _is_tailored(words: WordReading) -> bool:
     marks = [m for m in words.marks if m.role == "garment" and not m.denied]
     drafts = {draft.name for entry in marks[0].entries for draft in entry.drafts} if marks else set()
     return "wool" in words.cloths or not _TAILORED.isdisjoint(drafts)
+
+
+def _usual_stripes(marks: Sequence[WordMark], named: NamedPrint) -> dict[str, float]:
+    """The sizes of the stripes that the name of a garment means, where a text calls them stripes alone."""
+    if named.kind != "stripes" or dict(named.sizes) != _PLAIN_STRIPES:
+        return {}
+    own = [entry.print for m in marks for entry in m.entries if entry.category == "garments" and entry.print]
+    return next((dict(one.sizes) for one in own if one.kind == "stripes"), {})
 
 
 def _stated_sizes(text: str, mark: WordMark, kind: str) -> dict[str, float]:

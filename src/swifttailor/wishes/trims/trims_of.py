@@ -48,7 +48,7 @@ TRIMS_OF: Mapping[str, tuple[str, ...]] = {
     "lacing": ("lacing",),
     "boning": ("boning",),
     "tucks": ("tucks",),
-    "rib_bands": ("neck rib", "armhole ribs", "hem rib"),
+    "rib_bands": ("neck rib", "armhole ribs", "hem rib", "knit bands"),
     "fringe": ("hem fringe",),
     "apron": ("apron",),
     "creases": ("creases",),

@@ -155,7 +155,7 @@ def trims_wanted(heard: Heard, draft: str = "", kind: str = "", *, anew: bool = 
     if draft in _RIBBED and not any(wish.what == _RIBS for wish in found) and _is_knitted(heard, draft):
         found.append(TrimWish(_RIBS, False, (("neck rib", "armhole ribs"), ("neck rib",), ("armhole ribs",))))
     if draft == _OPEN_KNIT and any(wish.change == _HEM_BAND for wish in heard.sure):
-        found.append(TrimWish(_RIBS, True, (("hem rib",),)))
+        found.append(TrimWish(_RIBS, True, (("knit bands",), ("hem rib",))))
     if draft in _FOR_JACKETS and _is_a_jacket(heard):
         found = [w for w in found if w.said or (w.what, *w.choices[:1]) != ("buttons", ("buttons",))]
     if draft in _FOR_JACKETS and not any(wish.what == "buttons" for wish in found) and _is_a_jacket(heard):

@@ -21,6 +21,7 @@ from swifttailor.pattern.drafts.shaped_sleeve import (
     ArmholeCut,
     ArmholeCutOption,
     BalloonOption,
+    KnittedSleeveOption,
     RaglanOption,
     WingOption,
     ballooning,
@@ -35,6 +36,9 @@ _INSET_CM = 2.0
 
 _NAPE_CM = 4.0
 """Fall of the back neckline of jumpers, cm: cut closer, it stands up behind the neck."""
+
+_WITHOUT_CUFFS = ("bell", "wide")
+"""Sleeves that end wide."""
 
 HemBandEase = Annotated[
     float, Option("Room of the hem band on top of the body there, all around.", "cm", 0.0, 20.0)
@@ -74,11 +78,12 @@ class SweatshirtOptions(BandedOptions):
         float, Option("Fall of the front neckline below the neck-shoulder point.", "cm", 7.0, 24.0)
     ] = 9.8
     collar: Annotated[
-        Literal["none", "standing", "rolled"],
-        Option("Collar: one that stands on a close neck, or is turned down over itself."),
+        Literal["none", "standing", "rolled", "loose"],
+        Option("Collar: one that stands on a close neck, is turned down over itself, or falls wide over it."),
     ] = "none"
     collar_height: CollarHeight = 4.5
     sleeves: declared.Sleeves = True
+    sleeve_shape: KnittedSleeveOption = "plain"
     armhole: ArmholeCutOption = "set-in"
     wing: WingOption = 8.0
 
@@ -204,7 +209,9 @@ def _lay_sleeve(
     wing: float = 8.0,
 ) -> None:
     """Lays the left sleeve and its cuff."""
-    cuff = min(options.cuff_height, options.sleeve_length - 10.0) if options.cuffs else 0.0
+    open_shape = options.sleeve_shape if options.sleeve_shape in _WITHOUT_CUFFS else None
+    cuffs = options.cuffs and open_shape is None
+    cuff = min(options.cuff_height, options.sleeve_length - 10.0) if cuffs else 0.0
     sleeve = Sleeve(
         options.sleeve_length - max(cuff, 0.0),
         options.arm_ease,
@@ -214,8 +221,8 @@ def _lay_sleeve(
     )
     if options.sleeve_shape == "balloon":
         sleeve = ballooning(sleeve)
-    lay_shaped_sleeve(table, figure, "plain", sleeve, armhole, wing)
-    if options.cuffs:
+    lay_shaped_sleeve(table, figure, open_shape or "plain", sleeve, armhole, wing)
+    if cuffs:
         lay_cuff = lay_cuff_of_one if armhole == "cut-in-one" else lay_sleeve_cuff
         lay_cuff(table, figure, options.sleeve_length - cuff, options.cuff_ease, cuff)
 
@@ -232,20 +239,29 @@ def _finished(
     if sew_neck is not None:
         sew_neck(table)
     if options.hem_band:
-        _sew_hem_band(table, figure, options, _band_height(options))
+        sew_hem_band(table, figure, options.length, options.hem_band_ease, _band_height(options))
     return table.finish()
 
 
-def _sew_hem_band(table: CuttingTable, figure: Figure, options: BandedOptions, height: float) -> None:
+def sew_hem_band(table: CuttingTable, figure: Figure, length: float, ease: float, height: float) -> None:
+    """Sews a band to the hem of a whole torso, which is closed in front.
+
+    Args:
+        table: Has both halves.
+        figure: The body.
+        length: Where the band ends, below the waist, cm.
+        ease: Its room on top of the body there, cm around.
+        height: cm.
+    """
     hem = [2 * table.length(f"left_{side}torso.hem") for side in "fb"]
-    body = figure.girth_below_waist(options.length)
-    if options.length < 0:  # towards the bust
-        up = min(-options.length / (figure.bust_y - figure.waist_y), 1.0)
+    body = figure.girth_below_waist(length)
+    if length < 0:  # towards the bust
+        up = min(-length / (figure.bust_y - figure.waist_y), 1.0)
         body = body.times(1 + up * (figure.bust.girth / figure.waist.girth - 1))
-    body = body.eased(options.hem_band_ease)
+    body = body.eased(ease)
     share = min(body.girth / sum(hem), 1.0)
     band = Halves(hem[0] / 2 * share, hem[1] / 2 * share)
-    top_y = figure.waist_y - options.length + height - 4.0
+    top_y = figure.waist_y - length + height - 4.0
     lay_waist_band(table, band, band, height, top_y, at_waist=False)
     table.seam("wb_front.top", ["left_ftorso.hem", "right_ftorso.hem"], gathered=True)
     table.seam("wb_back.top", ["right_btorso.hem", "left_btorso.hem"], gathered=True)

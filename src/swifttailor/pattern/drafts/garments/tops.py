@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Annotated
+from typing import Annotated, Literal
 
 from swifttailor.pattern.drafts import declared
+from swifttailor.pattern.drafts.band import lay_sleeve_cuff
 from swifttailor.pattern.drafts.bodice import (
     LooseBodice,
     follows_body,
@@ -14,6 +15,8 @@ from swifttailor.pattern.drafts.bodice import (
 )
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure
+from swifttailor.pattern.drafts.garments.banded import sew_hem_band
+from swifttailor.pattern.drafts.hem_room import JERSEY, JERSEY_HIP_EASE
 from swifttailor.pattern.drafts.measurements import Measurements
 from swifttailor.pattern.drafts.neck_collar import NeckCollar
 from swifttailor.pattern.drafts.neckline import Neckline
@@ -34,6 +37,12 @@ _WAISTCOAT_HIP_CM = 1.0
 """Its least room at the hem: with more, its points stand off in front."""
 _WAISTCOAT_NAPE_CM = 4.5
 """Fall of its back neckline: cut closer, it stands up behind the neck, with no collar to hold it."""
+_RIB_CM, _SHORT_RIB_CM, _RIB_EASE_CM = 6.0, 4.0, 4.0
+"""Height of the ribbed hem of a cardigan, at most where it ends at the waist, and its room there, cm."""
+_CUFF_CM, _CUFF_EASE_CM = 6.0, 5.0
+"""Height of its cuffs, and their room, cm."""
+_KNITTED_NAPE_CM, _ROUND_CM = 2.5, 14.0
+"""Fall of its back neckline, and most of a round one in front."""
 _INSET_CM = 1.5
 """How far the armholes of a sleeveless turtleneck or waistcoat lie inside the shoulder tips."""
 
@@ -80,6 +89,8 @@ def draft_t_shirt(options: TShirtOptions, measurements: Measurements) -> Pattern
         side_slits=options.side_slits,
         side_rise=options.hem_rise,
         back_dip=options.hem_dip,
+        hip_ease=JERSEY_HIP_EASE,
+        hem_room=JERSEY,
         waist_shaping=options.waist_shaping,
         follows=follows_body(options.stretch, options.waist_shaping, options.armhole),
     )
@@ -130,12 +141,13 @@ def draft_tank_top(options: TankTopOptions, measurements: Measurements) -> Patte
         options.length,
         options.armhole_drop,
         flare=options.flare,
-        hip_ease=6.0,
+        hip_ease=JERSEY_HIP_EASE,
         shoulder_extension=min(strap_end - figure.shoulder_x, 0.0),
         racer=options.racer,
         side_rise=options.hem_rise,
         back_dip=options.hem_dip,
         side_slits=options.side_slits,
+        hem_room=JERSEY,
         waist_shaping=options.waist_shaping,
         follows=follows_body(options.stretch, options.waist_shaping),
     )
@@ -192,6 +204,8 @@ def draft_turtleneck(options: TurtleneckOptions, measurements: Measurements) -> 
         shoulder_extension=0.0 if options.sleeves else -_INSET_CM,
         side_slits=options.side_slits,
         back_dip=options.hem_dip,
+        hip_ease=JERSEY_HIP_EASE,
+        hem_room=JERSEY,
         waist_shaping=options.waist_shaping,
         follows=follows_body(options.stretch, options.waist_shaping, options.armhole),
         front_opening=options.opening,
@@ -217,12 +231,13 @@ def draft_turtleneck(options: TurtleneckOptions, measurements: Measurements) -> 
 class CardiganOptions:
     """Options of the cardigan."""
 
-    length: Annotated[float, Option("Hem below the waist; negative ends above it.", "cm", -6.0, 40.0)] = 24.0
+    length: Annotated[float, Option("Hem below the waist; negative ends above it.", "cm", -6.0, 80.0)] = 24.0
     chest_ease: declared.ChestEase = 12.0
     flare: declared.HemFlare = 0.0
     neck_widening: declared.CloseNeckWidening = 0.3
+    neckline: Annotated[Literal["round", "v"], Option("Shape of the front neckline.")] = "v"
     neck_depth: Annotated[
-        float, Option("Fall of the front neckline below the neck-shoulder point.", "cm", 12.0, 34.0)
+        float, Option("Fall of the front neckline below the neck-shoulder point.", "cm", 9.0, 34.0)
     ] = 26.0
     opening: declared.OverlapOrOpening = 1.0
     closed_to: declared.ClosedTo = 8.0
@@ -235,32 +250,48 @@ class CardiganOptions:
     armhole: ArmholeCutOption = "set-in"
     wing: WingOption = 8.0
     waist_shaping: declared.WaistShaping = 0.0
+    ribbed: Annotated[
+        bool, Option("Sew ribbed bands to hem and plain sleeves, where the fronts do not open.")
+    ] = False
 
 
 def draft_cardigan(options: CardiganOptions, measurements: Measurements) -> Pattern:
     """Drafts the cardigan for a body: sewn from its V to the last button; its fronts overlap below."""
     figure = Figure.of(measurements)
     table = CuttingTable("cardigan")
+    ribbed = options.ribbed and options.opening == 0.0
+    band = min(_RIB_CM, max(options.length - 2.0, _SHORT_RIB_CM)) if ribbed else 0.0
     bodice = LooseBodice(
-        Neckline("v", options.neck_widening, options.neck_depth, 1.5),
+        Neckline(
+            options.neckline,
+            options.neck_widening,
+            min(options.neck_depth, _ROUND_CM) if options.neckline == "round" else options.neck_depth,
+            _KNITTED_NAPE_CM if ribbed else 1.5,
+        ),
         options.chest_ease,
-        options.length,
+        options.length - band,
         options.armhole_drop,
+        hip_ease=_RIB_EASE_CM + 2.0 if ribbed else 4.0,
         flare=options.flare,
         shoulder_extension=options.shoulder_extension,
         front_opening=options.opening,
         front_closed_to=options.closed_to,
         waist_shaping=options.waist_shaping,
-        darted=options.armhole != "cut-in-one",
+        darted=options.armhole != "cut-in-one" and not ribbed,
     )
     lay_loose_bodice(table, figure, bodice)
-    sleeve = Sleeve(
-        options.sleeve_length, options.arm_ease, options.sleeve_end, 0.01, options.shoulder_extension
-    )
+    cuff = min(_CUFF_CM, options.sleeve_length - 10.0)
+    cuff = cuff if ribbed and options.sleeve_shape == "plain" and options.armhole != "cut-in-one" else 0.0
+    length = options.sleeve_length - cuff
+    sleeve = Sleeve(length, options.arm_ease, options.sleeve_end, 0.01, options.shoulder_extension)
     lay_shaped_sleeve(table, figure, options.sleeve_shape, sleeve, options.armhole, options.wing)
+    if cuff:
+        lay_sleeve_cuff(table, figure, length, _CUFF_EASE_CM, cuff)
     table.mirror()
     overlap_fronts(table, options.opening)
     sew_centres(table)
+    if ribbed:
+        sew_hem_band(table, figure, options.length, _RIB_EASE_CM, band)
     return table.finish()
 
 
