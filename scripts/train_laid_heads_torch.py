@@ -134,7 +134,8 @@ def known_of(
             accepted.append([word in (kind.part, NAME_OF[id(kind)]) for word in words])
             continue
         part, claim = which
-        true = {*kind.are.get(claim, ()), *kind.may_be.get(claim, ())}
+        # What they are outweighs what they may be: shorts are taken for no trousers.
+        true = set(kind.are.get(claim, ()) or kind.may_be.get(claim, ()))
         if name == COLLAR and true:  # what is seldom turned down has hardly any
             true = {COLLARED if TURNED_DOWN in true else "none"}
         here = kind.part == PARTS[part]
