@@ -21,6 +21,9 @@ from swifttailor.wishes.descriptions.coats_by_length import coats_by_length
         ("three quarter length camel overcoat", "knee length camel overcoat"),
         ("short wool cape with a collar", "wool hip length cape with a collar"),
         ("3/4 coat, navy", "knee length coat, navy"),
+        ("red coat long, short collar", "red coat, ankle length, short collar"),
+        ("long wool coat with a belt", "ankle length wool coat with a belt"),
+        ("camel coat, long", "camel coat, ankle length"),
     ],
 )
 def test_short_coats_end_at_the_hip_and_long_ones_where_coats_do(text: str, read: str) -> None:
@@ -37,7 +40,9 @@ def test_short_coats_end_at_the_hip_and_long_ones_where_coats_do(text: str, read
         "jacket, not too short",
         "a jacket and a short skirt",
         "camel coat with three quarter sleeves",
-        "red coat long, short collar",
+        "long sleeved wool coat",
+        "coat with long sleeves",
+        "a wool coat, not too long",
         "a short skirt",
         "a short cape dress",
         "a cape with a short collar",

@@ -146,7 +146,7 @@ SLITS = [Claim("slit", "left"), Claim("slit", "right")]
         (
             "blazer(length=20)",
             [Claim("collar", "none")],
-            "cardigan(length=21;chest_ease=11;neck_depth=16;opening=0;sleeve_end=27;closed_to=8)",
+            "cardigan(length=19;chest_ease=10;neck_depth=13;opening=0;sleeve_end=27;closed_to=8)",
         ),
         (
             "skater-dress",

@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from swifttailor.wishes.descriptions.hearing import hear_description
+from swifttailor.wishes.descriptions.sayings_of_wishes import without_asides
 from swifttailor.wishes.reader import WishReader
 from swifttailor.wishes.trims.trims_wanted import trims_wanted
 
@@ -23,9 +24,18 @@ def reader():
         ("funnel neck sweatshirt, grey", "sweatshirt", {"collar": "standing", "collar_height": 7.5}),
         ("mock neck top", "sweatshirt", {"collar": "standing", "collar_height": 4.5}),
         ("tuxedo jacket with shawl lapels", "blazer", {"lapels": "shawl"}),
-        ("a grey coat with huge lapels", "coat", {"lapel_width": 12.0}),
-        ("double breasted winter coat with a large collar", "coat", {"collar_width": 8.0}),
-        ("a jacket with an oversized collar", "blazer", {"collar_width": 8.0}),
+        ("a grey coat with huge lapels", "coat", {"lapel_width": 14.0}),
+        ("double breasted winter coat with a large collar", "coat", {"collar_width": 12.0}),
+        ("a jacket with an oversized collar", "blazer", {"collar_width": 10.0}),
+        ("coat with a shirt collar", "coat", {"collar": "shirt"}),
+        ("langer Mantel mit breitem Revers, schmal geschnitten", "coat", {"lapel_width": 14.0}),
+        ("fitted shirt, collar stand 3 cm", "shirt", {"waist_shaping": 2.5}),
+        ("dressing gown", "coat", {"lapels": "shawl"}),
+        ("denim shirt dress", "shirt-dress", {"collar": "shirt"}),
+        ("tie front blouse", "shirt", {"length": 4.0}),
+        ("cropped white shirt", "shirt", {"waist_shaping": 1.5}),
+        ("jacket with a round neck", "cardigan", {"neck_depth": 13.0}),
+        ("oversized blazer", "blazer", {"chest_ease": 22.0, "waist_shaping": 0.0}),
         ("navy coat with a Peter Pan collar", "coat", {"collar": "flat"}),
         ("pirate shirt with a wide floppy collar", "shirt", {"collar": "folded", "collar_width": 10.0}),
         ("a shirt with a big Peter Pan collar", "shirt", {"collar": "flat", "collar_width": 7.0}),
@@ -49,6 +59,7 @@ def test_a_collar_and_the_block_that_it_is_cut_on(reader, text, name, options):
         ("victorian blouse", "shirt", {"neck frill", "yoke frill"}),
         ("a cape coat", "cape", {"arm slits", "buttons"}),
         ("housecoat, buttoned up the front", "coat", {"buttons"}),
+        ("blouse with a bow tie", "shirt", {"neck bow"}),
     ],
 )
 def test_what_is_put_on_at_the_neck_and_down_the_front(reader, text, draft, trims):
@@ -69,3 +80,27 @@ def test_trousers_have_turn_ups(reader):
 
 def test_lace_at_the_neck_is_not_the_cloth_of_the_whole(reader):
     assert not hear_description("cotton nightie, lace at the neck", reader).with_looks().looks.looks
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["coat with no closure showing", "a camel coat with a concealed fastening", "coat, no visible buttons"],
+)
+def test_what_is_not_to_show_is_refused(text):
+    assert "no buttons" in without_asides(text)
+
+
+@pytest.mark.parametrize(
+    ("text", "band"),
+    [("a blouse with short sleeves", False), ("a shirt", True)],
+)
+def test_short_sleeves_have_no_cuffs_of_their_own(reader, text, band):
+    heard = hear_description(text, reader)
+    claims = [str(w) for w in (*heard.sure, *heard.likely)]
+    assert any("cuffs" in claim for claim in claims) is band
+
+
+def test_sleeves_with_room_for_a_jacket_are_no_wide_ones(reader):
+    heard = hear_description("a coat, long sleeves wide enough for a jacket underneath", reader)
+    assert not any("wide" in str(change) for change in heard.sure)
+    assert not heard.cannot

@@ -2,20 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
-from scipy.spatial import ConvexHull, KDTree, QhullError
+from scipy.spatial import KDTree
 
 from swifttailor.arrays import Array, Floats, Ints
 from swifttailor.garment.cloth_print import flat_places
+from swifttailor.garment.trim_belts import belt_meshes, on_a_belt, under_a_belt
 from swifttailor.garment.trim_decorations import bow_meshes, frill_meshes
 from swifttailor.garment.trim_layers import laid_over, layer_mesh
-from swifttailor.garment.trim_pieces import AROUND, TrimMesh, ball, front_of
+from swifttailor.garment.trim_pieces import AROUND, TrimMesh
 from swifttailor.garment.trim_stirrups import stirrup_mesh
-from swifttailor.garment.trunk_cloth import around_trunk
 from swifttailor.pattern.trims.knit_bands import KNIT_BANDS
 from swifttailor.pattern.trims.names import COUNTED
 from swifttailor.pattern.trims.placing import place_trims
@@ -35,15 +35,6 @@ how far its edges lie above the cloth, cm."""
 _QUILTING_LIFT = 0.14
 """Stitches through wadding lie deeper than those on top of pockets."""
 _BUTTON_LIFT, _ON_BANDS, _BUTTON_HEIGHT = 0.34, 0.7, 0.22
-_BELT_LIFT, _BELT_SIDES, _BELT_REACH = 0.5, 96, 2.5
-_LEAST_REACH = 1.5
-_KEEPS_TO = 0.002
-"""By how much narrower, per cm, the cloth must be elsewhere for a belt to slip there."""
-_WAISTED = 0.97
-"""Cloth whose girth at its narrowest is less than this part of what is above and below has a waist."""
-_TAIL, _KNOT = 26.0, 2.2
-_TIED_BEHIND = ("sash", "apron", "side tie")
-"""Bands whose bow is marked elsewhere than in front."""
 _NO_AREA = 1e-5
 """Triangles of less than half of this are left out, cm²."""
 _NEAR = 12
@@ -79,10 +70,10 @@ def trim_meshes(garment: Garment) -> list[TrimMesh]:
     belts = {piece.trim: piece for piece in pieces if isinstance(piece, Belt)}
     for piece in pieces:
         if isinstance(piece, Belt):
-            found += _belt(garment, piece)
+            found += belt_meshes(garment, piece)
         elif isinstance(piece, Button):
             button = _button(garment, piece)
-            found += [] if _under(belts, garment, button) else [button]
+            found += [] if under_a_belt(belts, garment, button) else [button]
         elif isinstance(piece, Stirrup):
             strap = stirrup_mesh(garment, piece)
             found += [] if strap is None else [strap]
@@ -93,7 +84,7 @@ def trim_meshes(garment: Garment) -> list[TrimMesh]:
             found += frill_meshes(garment, piece)
         elif isinstance(piece, Bow):
             on = _on_cloth(garment, piece.panel, np.array([piece.at]))
-            at = _on_band(garment, belts[piece.trim], on.points[0]) if piece.trim in belts else on.points[0]
+            at = on_a_belt(garment, belts[piece.trim], on.points[0]) if piece.trim in belts else on.points[0]
             bow = bow_meshes(garment, piece, at, on.normals[0])
             found += [replace(mesh, panel=piece.panel) for mesh in bow]  # whose colour it has
         else:
@@ -203,140 +194,6 @@ def _button(garment: Garment, button: Button) -> TrimMesh:
         np.stack([k, after], axis=1).astype(np.int32),
         panel=button.panel,
     )
-
-
-def _belt(garment: Garment, belt: Belt) -> list[TrimMesh]:
-    """A band stretched around the cloth at its height, with what closes it in front."""
-    heights = belt_height(garment, belt) + belt.width * np.array([-0.5, 0.0, 0.5])
-    if belt.reach:  # cloth that is tied stands out above and below, and the belt does not
-        rings = [_around(garment, heights[1], max(0.4 * belt.width, _LEAST_REACH))] * len(heights)
-    else:
-        rings = [_around(garment, height) for height in heights]
-    if any(ring is None for ring in rings):
-        return []
-    rows = [ring for ring in rings if ring is not None]
-    vertices = np.concatenate(
-        [
-            np.stack([row[:, 0], np.full(len(row), y), row[:, 1]], axis=1)
-            for row, y in zip(rows, heights, strict=True)
-        ]
-    )
-    grid = np.arange(len(vertices)).reshape(len(rows), -1)
-    after = np.roll(grid, -1, axis=1)
-    quads = np.stack([grid[:-1], grid[1:], after[1:], after[:-1]], axis=-1).reshape(-1, 4)
-    faces = np.concatenate([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]]).astype(np.int32)
-    edges = np.concatenate([np.stack([row, np.roll(row, -1)], axis=1) for row in (grid[0], grid[-1])])
-    look = "leather" if belt.trim == "buckle belt" else "cloth"
-    band = TrimMesh(belt.trim, look, vertices, faces, edges)
-    front = vertices[grid[1, np.argmax(rows[1][:, 1])]]
-    if belt.trim == "buckle belt":
-        return [band, _buckle(belt, front)]
-    if belt.trim in _TIED_BEHIND:
-        return [band]
-    return [band, *_knot(garment, belt, front)]
-
-
-def _under(belts: Mapping[str, Belt], garment: Garment, button: TrimMesh) -> bool:
-    """Whether a button lies below a belt, which slips to where the sewn cloth is narrowest."""
-    y = float(button.vertices[:, 1].mean())
-    tied = [belt for belt in belts.values() if belt.reach]
-    return any(abs(y - belt_height(garment, belt)) < 0.5 * belt.width + _BUTTON_HEIGHT for belt in tied)
-
-
-def _on_band(garment: Garment, belt: Belt, at: Array) -> Array:
-    """(3,) the place on a belt that is nearest to one on the cloth, where its bow is tied."""
-    height = belt_height(garment, belt)
-    ring = _around(garment, height, max(0.4 * belt.width, _LEAST_REACH))
-    if ring is None:
-        return at
-    x, z = ring[np.linalg.norm(ring - at[[0, 2]], axis=1).argmin()]
-    return np.array([x, height, z])
-
-
-def belt_height(garment: Garment, belt: Belt) -> float:
-    """The height at which the cloth is narrowest near to where the belt is to be, cm.
-
-    Cloth that narrows to no waist, as that of robes, is tied where the belt is to be.
-    """
-    girths: dict[float, float] = {}
-    for off in np.arange(-belt.reach, belt.reach + 0.1, 1.0):
-        ring = _around(garment, belt.height + off)
-        if ring is not None:
-            girths[float(off)] = float(np.linalg.norm(np.roll(ring, -1, axis=0) - ring, axis=1).sum())
-    if len(girths) < 2:
-        return belt.height
-    around = list(girths.values())
-    if min(around) > _WAISTED * min(around[0], around[-1]):
-        return belt.height
-    return belt.height + min(girths, key=lambda off: girths[off] * (1 + _KEEPS_TO * abs(off)))
-
-
-def _buckle(belt: Belt, front: Array) -> TrimMesh:
-    """A frame in the middle of the front."""
-    half = np.array([0.62, 0.62]) * belt.width
-    corners = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)]) * half
-    flat = np.concatenate([corners, 0.72 * corners])
-    vertices = np.stack([flat[:, 0], front[1] + flat[:, 1], np.full(8, front[2] + 0.35)], axis=1)
-    k, after = np.arange(4), np.roll(np.arange(4), -1)
-    faces = np.concatenate([np.stack([k, after, after + 4], axis=1), np.stack([k, after + 4, k + 4], axis=1)])
-    return TrimMesh(
-        belt.trim, "metal", vertices, faces.astype(np.int32), np.stack([k, after], axis=1).astype(np.int32)
-    )
-
-
-def _knot(garment: Garment, belt: Belt, front: Array) -> list[TrimMesh]:
-    """A knot, and two ends that hang from it before the cloth."""
-    pieces = []
-    before = garment.vertices[
-        (np.abs(garment.vertices[:, 0] - front[0]) < 6.0) & (garment.vertices[:, 2] > 0)
-    ]
-    hem = float(before[:, 1].min()) if len(before) else front[1] - _TAIL
-    # Below the hem they would hang in the air.
-    longest = max(min(_TAIL * belt.width / 4.5, front[1] - hem - 1.0), 3.0)
-    for side, length in ((-1, 1.0), (1, 0.88)):
-        drops = np.linspace(0.0, length * longest, 12)
-        middle = front[0] + side * (0.6 + 0.09 * drops)
-        half = 0.36 * belt.width
-        sides = np.stack([middle - half, middle + half], axis=1)
-        depth = np.array(
-            [front_of(garment, x, front[1] - drop) for x, drop in zip(middle, drops, strict=True)]
-        )
-        depth = np.maximum(np.nan_to_num(depth, nan=-np.inf), front[2] - 0.10 * drops) + 0.45
-        vertices = np.stack(
-            [
-                sides,
-                np.broadcast_to((front[1] - drops)[:, None], sides.shape),
-                np.broadcast_to(depth[:, None], sides.shape),
-            ],
-            axis=-1,
-        ).reshape(-1, 3)
-        k = 2 * np.arange(len(drops) - 1)
-        faces = np.concatenate([np.stack([k, k + 2, k + 3], axis=1), np.stack([k, k + 3, k + 1], axis=1)])
-        edges = np.concatenate(
-            [np.stack([k, k + 2], axis=1), np.stack([k + 1, k + 3], axis=1), [[k[-1] + 2, k[-1] + 3]]]
-        )
-        pieces.append(TrimMesh(belt.trim, "cloth", vertices, faces.astype(np.int32), edges))
-    knot = ball(front + np.array([0.0, 0.0, 0.5]), (0.42 * _KNOT, 0.5 * belt.width, 0.55))
-    return [*pieces, TrimMesh(belt.trim, "cloth", *knot, np.zeros((0, 2), int))]
-
-
-def _around(garment: Garment, height: float, near_by: float = _BELT_REACH) -> Array | None:
-    """(`_BELT_SIDES`, 2) x and z of what is stretched around the cloth of the trunk near to a height, cm."""
-    points = garment.flat_positions[around_trunk(garment)]
-    near = points[np.abs(points[:, 1] - height) <= near_by][:, [0, 2]]
-    if len(near) < 8:
-        return None
-    try:
-        hull = ConvexHull(near)
-    except QhullError:
-        return None
-    middle = near[hull.vertices].mean(axis=0)
-    angle = np.arange(_BELT_SIDES) * (2 * np.pi / _BELT_SIDES)
-    ways = np.stack([np.sin(angle), np.cos(angle)], axis=1)
-    along = ways @ hull.equations[:, :2].T
-    room = -(hull.equations[:, :2] @ middle + hull.equations[:, 2])
-    reach = np.where(along > 1e-9, room / np.where(along > 1e-9, along, 1.0), np.inf).min(axis=1)
-    return middle + (reach + _BELT_LIFT)[:, None] * ways
 
 
 def _on_cloth(garment: Garment, panel: str, flat: Array) -> _OnCloth:

@@ -18,7 +18,7 @@ from swifttailor.draping.fabric import Fabric
 from swifttailor.draping.tied import Tie, tie_around
 from swifttailor.errors import SimulationError
 from swifttailor.garment.garment import Garment
-from swifttailor.garment.trim_meshes import belt_height
+from swifttailor.garment.trim_belts import belt_height
 from swifttailor.garment.trunk_cloth import around_trunk
 from swifttailor.garment_sewer.clear_of_feet import clear_of_feet
 from swifttailor.garment_sewer.collars_above import collar_above

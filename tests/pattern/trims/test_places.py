@@ -393,6 +393,26 @@ def test_the_edge_of_a_double_breasted_front_runs_to_the_hem(drafts):
     assert lowest - hem < 4.0
 
 
+def test_coats_are_buttoned_to_the_thighs_and_toggles_end_above_pockets(drafts):
+    coat = replace(drafts["coat"], trims=("buttons",))
+    row = np.concatenate([seen(coat, t) for t in place_trims(coat) if isinstance(t, Button)])
+    assert 70.0 < row[:, 1].min() < 85.0
+    duffle = replace(drafts["hooded-coat"], trims=("toggles", "patch pockets"))
+    low, high = (
+        [seen(duffle, t)[:, 1] for t in place_trims(duffle) if isinstance(t, Patch) and t.trim == name]
+        for name in ("toggles", "patch pockets")
+    )
+    assert min(y.min() for y in low) > max(y.max() for y in high)
+
+
+def test_welts_lie_beside_two_rows_of_buttons(drafts):
+    coat = replace(drafts["coat"], trims=("double-breasted buttons", "welt pockets"))
+    placed = place_trims(coat)
+    rows = np.concatenate([seen(coat, t) for t in placed if isinstance(t, Button)])
+    welts = [seen(coat, t) for t in placed if isinstance(t, Patch) and t.trim == "welt pockets"]
+    assert welts and all(np.abs(w[:, 0]).min() > np.abs(rows[:, 0]).max() for w in welts)
+
+
 def test_a_belt_is_at_the_waist(drafts):
     for name in ("fitted-dress", "coat", "jeans", "circle-skirt"):
         (belt,) = place_trims(replace(drafts[name], trims=("buckle belt",)))

@@ -1,7 +1,6 @@
-"""Lengths as they are meant of coats: a short one is a jacket, a three-quarter one ends at the knee, a long one
-at the ankles.
+"""Lengths as they are meant of coats: a short one is a jacket, a three-quarter one ends at the knee.
 
-A short cape ends at the hips.
+A long one ends at the ankles, a short cape at the hips.
 
 The same words say something else of skirts and tops: a short skirt bares the thighs, a short top the waist.
 """
