@@ -44,6 +44,7 @@ def reader():
         ("skater-dress", [SQUARE, TEN], "skater-dress(neckline=square;neck_depth=15)"),
         ("skater-dress", [SQUARE, TWENTY], "skater-dress"),
         ("skater-dress", [TEN], "skater-dress(neck_depth=15)"),
+        ("tank-top", [SQUARE, TEN], "tank-top"),
         ("jumpsuit", [V, LOW], "jumpsuit(neckline=v;neck_widening=0.5;neck_depth=22)"),
         ("skater-dress", [HIGH], "skater-dress(neck_widening=-1.2;neck_depth=9.5;back_neck_depth=2.5)"),
         ("jumpsuit", [V, PLUNGING], "jumpsuit(neckline=v;neck_widening=1;neck_depth=31)"),

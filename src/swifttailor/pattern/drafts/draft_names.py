@@ -145,7 +145,7 @@ class NamedDraft:
     def _neck_to_the_eye(self) -> tuple[tuple[str, float], ...]:
         """How deep the neckline is seen to be on a body, cm."""
         depth = dict(self.options).get("neck_depth")
-        if depth is None or dict(self.options).get("halter") or self.name in DRAFTS_ARE:
+        if depth is None or self.name not in SEEN_DEEP:
             return ()
         return (("neck_depth_cm", round(float(depth) - LEVEL_NECK_CM, 2)),)
 
@@ -245,6 +245,11 @@ FULL_GATHERS = 1.8
 """Gathered skirts so many times as wide as their waist fall in folds, as flared ones do."""
 LEVEL_NECK_CM = 5.0
 """So much of what a neckline is cut deep lies nearly level around a neck, which leans forward."""
+SEEN_DEEP = frozenset(
+    {"fitted-dress", "skater-dress", "shift-dress", "swing-dress", "drop-waist-dress", "mermaid-dress"}
+    | {"empire-dress", "jumpsuit"}
+)
+"""Drafts whose neckline is as deep as told when it is worn; those of tops are so when they lie flat."""
 BLOUSING_CM = 30.0
 """With so much room at the knee, legs that end in cuffs hang over them."""
 _OF_BLOUSING = (("legs", "tapered"), ("legs", "wide"), ("hips", "loose"))

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from swifttailor.describing.claims import Claim
-from swifttailor.pattern.drafts.draft_names import LEVEL_NECK_CM, NamedDraft
+from swifttailor.pattern.drafts.draft_names import LEVEL_NECK_CM, SEEN_DEEP, NamedDraft
 
 _NECKED = (
     *("t-shirt", "sweatshirt", "tank-top", "fitted-top", "peplum-top"),
@@ -61,7 +61,7 @@ def neck_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     if draft.name in _WITHOUT_WIDTH:
         cut.pop(_WIDTH, None)
     shapes = [shape for shape in _SHAPES if Claim("neckline", shape) in claims]
-    told = _told_depth(claims, shapes)
+    told = _told_depth(claims, shapes) if draft.name in SEEN_DEEP else 0.0
     if told:
         cut[_DEPTH] = round(told + LEVEL_NECK_CM, 2)
     if not cut:
