@@ -89,9 +89,10 @@ def contradicting_pairs(
         for pair in opposed_pairs(text, implied)
         if not _straight_by_name(*pair) and not _widens(text, pair)
     ]
-    known = {frozenset({first.start, second.start}) for first, second in pairs}
-    more = _against_names(text, marks, implied)
-    return [*pairs, *[pair for pair in more if frozenset({one.start for one in pair}) not in known]]
+    found = {frozenset({first.start, second.start}): (first, second) for first, second in pairs}
+    for first, second in _against_names(text, marks, implied):
+        found.setdefault(frozenset({first.start, second.start}), (first, second))
+    return list(found.values())
 
 
 def _widens(text: str, pair: tuple[WordMark, WordMark]) -> bool:
