@@ -208,9 +208,8 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
         compared=hem is not None or bool(bounds),
         told=[*sides.spans, *levels.spans, *spans_of_looks(text, words), *spans_of_big_buttons(text)],
     )
-    lacks = lacks_of(words, changes, measures)
-    clashes = clashing_levels(text, words, named)
-    return Heard(text, sure, likely, never, (*unread, *silent), lacks, words, clashes=clashes)
+    unread, lacks = (*unread, *silent), lacks_of(words, changes, measures)
+    return Heard(text, sure, likely, never, unread, lacks, words, clashes=clashing_levels(text, words, named))
 
 
 def _kind_named_alone(text: str, words: WordReading) -> list[Implication]:
