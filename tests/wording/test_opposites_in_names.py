@@ -24,6 +24,7 @@ def told(text: str) -> list[tuple[str, str]]:
         ("tight baggy trousers", ("tight", "baggy trousers")),
         ("a tight, very full skirt", ("tight", "full skirt")),
         ("skirt, tight but very wide", ("tight", "very wide")),
+        ("cropped floor length trousers", ("cropped", "floor length trousers")),
         ("floor-length crop top", ("floor-length", "crop top")),
         ("V-neck turtleneck", ("V-neck", "turtleneck")),
         ("cropped longline cardigan", ("cropped", "longline cardigan")),

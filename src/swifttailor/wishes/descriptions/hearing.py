@@ -222,9 +222,8 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
             *spans_of_told_shapes(text, words, [c.claim.name for c in changes if isinstance(c, Gain)]),
         ],
     )
-    lacks = lacks_of(words, changes, measures)
-    clashes = clashing_levels(text, words, named)
-    return Heard(text, sure, likely, never, (*unread, *silent), lacks, words, clashes=clashes)
+    unread, lacks = (*unread, *silent), lacks_of(words, changes, measures)
+    return Heard(text, sure, likely, never, unread, lacks, words, clashes=clashing_levels(text, words, named))
 
 
 def _kind_named_alone(text: str, words: WordReading) -> list[Implication]:

@@ -70,6 +70,7 @@ _BETWEEN = frozenset({"degrees", "colors", "shades", "prints", "fabrics", "lengt
 _STRAIGHT = frozenset({"straight", "straight leg", "straight-leg", "straight legs"})
 _BORROWED = re.compile(r"(?:boyfriend|girlfriend|mom|mum|dad)s? ", re.IGNORECASE)
 _SHORTS = Claim("kind", "shorts")
+_TO_THE_FLOOR = re.compile(r"(?:floor|full)[- ]length", re.IGNORECASE)
 _TO_THE_FEET = re.compile(r"ankle|floor|full[- ]length", re.IGNORECASE)
 
 
@@ -88,9 +89,10 @@ def contradicting_pairs(
         for pair in opposed_pairs(text, implied)
         if not _straight_by_name(*pair) and not _widens(text, pair)
     ]
-    known = {frozenset({first.start, second.start}) for first, second in pairs}
-    more = _against_names(text, marks, implied)
-    return [*pairs, *[pair for pair in more if frozenset({one.start for one in pair}) not in known]]
+    found = {frozenset({first.start, second.start}): (first, second) for first, second in pairs}
+    for first, second in _against_names(text, marks, implied):
+        found.setdefault(frozenset({first.start, second.start}), (first, second))
+    return list(found.values())
 
 
 def _widens(text: str, pair: tuple[WordMark, WordMark]) -> bool:
@@ -148,7 +150,9 @@ def _by_their_words(text: str, marks: Sequence[WordMark]) -> list[tuple[WordMark
             continue
         for other in marks:
             between = text[min(one.end, other.end) : max(one.start, other.start)]
-            if against.search(other.word) and (without is not None or not _LAYERS.search(between)):
+            if against is _LONG and between == " " and _TO_THE_FLOOR.match(other.word):
+                found.append((one, other) if one.start < other.start else (other, one))
+            elif against.search(other.word) and (without is not None or not _LAYERS.search(between)):
                 found.append((one, other) if one.start < other.start else (other, one))
     return found
 
