@@ -10,7 +10,13 @@ import swifttailor
 from swifttailor.describing import Claim, measure_facts
 from swifttailor.describing.differences import Gain, Step
 from swifttailor.recutting import alter
-from swifttailor.wishes.assumed.well_within import FLOOR_AT_LEAST_CM, FLOOR_CM, off_the_floor, well_within
+from swifttailor.wishes.assumed.well_within import (
+    FLOOR_AT_LEAST_CM,
+    FLOOR_CM,
+    as_stated,
+    off_the_floor,
+    well_within,
+)
 
 CASES = [
     ("trousers", {"length": 92.0}, Claim("leg_hem", "full"), "inseam_cm"),
@@ -123,3 +129,18 @@ def test_hems_below_the_knee_do_not_hang_far_below_it():
     facts = measure_facts(swifttailor.draft("fitted-skirt", length=77.0))
     (wish,) = well_within([Gain(Claim("skirt_hem", "below the knee"))], facts)
     assert 68.0 < wish.claim.value < 74.0
+
+
+@pytest.mark.parametrize(("off", "steps"), [(4.0, 1), (1.0, 0), (-4.0, 0)])
+def test_legs_are_no_longer_than_their_inseam_was_stated(off, steps):
+    facts = measure_facts(swifttailor.draft("trousers"))
+    assert facts.trousers is not None
+    found = as_stated([Gain(Claim("inseam_cm", facts.trousers.inseam - off))], facts)
+    assert found == (Step("leg length", -1, off),) * steps
+
+
+def test_narrow_legs_stay_off_the_foot():
+    full = [Gain(Claim("leg_hem", "full"))]
+    narrow = measure_facts(swifttailor.draft("trousers", length=99.5, leg_ease=17, flare=-8))
+    wide = measure_facts(swifttailor.draft("trousers", length=99.5, leg_ease=42, flare=10))
+    assert not well_within(full, narrow) and well_within(full, wide)
