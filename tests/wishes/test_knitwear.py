@@ -1,4 +1,4 @@
-"""Knitwear and tops as shops show them: ribs of cardigans, loose collars, close tops of jersey, modest V necks."""
+"""Knitwear and tops as shops show them: ribs of cardigans, loose collars, close tops of jersey, V necks."""
 
 from __future__ import annotations
 
