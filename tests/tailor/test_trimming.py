@@ -62,7 +62,7 @@ ASKED = {
     "a pussy bow blouse": {"neck bow"},
     "a sundress that ties at the shoulders": {"shoulder bows"},
     "a skirt with a ruffled hem": {"hem frill"},
-    "a cardigan with buttons": {"buttons", "patch pockets"},
+    "a cardigan with buttons": {"buttons", "knit bands", "patch pockets"},
     # German
     "eine Jeans ohne Taschen": {"fly", *DENIM},
     "ein Hemd mit Knöpfen": {"button placket"},

@@ -1,4 +1,4 @@
-"""Knitwear and tops as shops show them: ribs of cardigans, loose collars, close tops of jersey, modest V necks."""
+"""Knitwear and tops as shops show them: ribs of cardigans, loose collars, close tops of jersey, V necks."""
 
 from __future__ import annotations
 
@@ -22,6 +22,8 @@ def heard():
     [
         ("cardigan", "cardigan", {"ribbed": True, "opening": 0.0}),
         ("Strickjacke", "cardigan", {"ribbed": True}),
+        ("button-up cardigan, navy", "cardigan", {"ribbed": True}),
+        ("big roll neck jumper", "sweatshirt", {"collar": "loose"}),
         ("cropped cardigan", "cardigan", {"ribbed": True, "length": 6.0}),
         ("crew neck cardigan", "cardigan", {"neckline": "round", "ribbed": True}),
         ("longline cardigan", "cardigan", {"length": 48.0}),
@@ -75,6 +77,7 @@ def test_hems_of_tops_as_people_say_them(text, hem, heard):
         ("rugby shirt, navy and white stripes", 8.0),
         ("rugby shirt, thin stripes", 8.0),
         ("rugby shirt with 3 cm stripes", 3.0),
+        ("rugby top, green and white hoops", 8.0),
         ("jumper, navy and white stripes", 2.5),
     ],
 )

@@ -55,7 +55,7 @@ def test_what_is_answered_with_a_no_is_refused(text, denied):
 @pytest.mark.parametrize(
     ("text", "oversized"),
     [
-        ("a jumper with a big roll neck", False),
+        ("a jumper with a huge hood", False),
         ("a coat with huge patch pockets", False),
         ("a dress with a big bow at the waist", False),
         ("a top with a giant frill at the neck", False),

@@ -41,8 +41,9 @@ def _over_the_hem_band(chalk: Chalk, name: str, width: float) -> list[Trim]:
     if view is None or column is None:
         return []
     ends = np.linspace(column[0] + 0.2, column[1] - 0.2, 5).tolist()
-    sides = [[(x, y) for y in ends] for x in (-width, 0.0, width)]
-    return [*chalk.ruled(name, "wb_front", *sides[:2]), *chalk.ruled(name, "wb_front", *sides[1:])]
+    middle = [(0.0, y) for y in ends]
+    beside = ([(x, y) for y in ends] for x in (-width, width))
+    return [piece for edge in beside for piece in chalk.ruled(name, "wb_front", edge, middle)]
 
 
 def _front_edges(pattern: Pattern, panel: str) -> tuple[EdgeRef, ...]:

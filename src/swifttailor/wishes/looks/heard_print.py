@@ -293,7 +293,8 @@ def _is_tailored(words: WordReading) -> bool:
 
 def _usual_stripes(marks: Sequence[WordMark], named: NamedPrint) -> dict[str, float]:
     """The sizes of the stripes that the name of a garment means, where a text calls them stripes alone."""
-    if named.kind != "stripes" or dict(named.sizes) != _PLAIN_STRIPES:
+    plain = {name: size for name, size in dict(named.sizes).items() if (name, size) != ("angle", 0.0)}
+    if named.kind != "stripes" or plain != _PLAIN_STRIPES:
         return {}
     own = [entry.print for m in marks for entry in m.entries if entry.category == "garments" and entry.print]
     return next((dict(one.sizes) for one in own if one.kind == "stripes"), {})

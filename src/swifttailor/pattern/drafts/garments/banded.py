@@ -59,7 +59,7 @@ class BandedOptions:
     sleeve_length: declared.SleeveLength = 58.0
     arm_ease: declared.ArmEase = 12.0
     sleeve_end: declared.SleeveEnd = 28.0
-    sleeve_shape: BalloonOption = "plain"
+    sleeve_shape: KnittedSleeveOption = "plain"
     cuffs: Annotated[bool, Option("Sew ribbed cuffs to the sleeves.")] = True
     cuff_height: declared.SleeveCuffHeight = 6.0
     cuff_ease: declared.CuffWidth = 5.0
@@ -83,7 +83,6 @@ class SweatshirtOptions(BandedOptions):
     ] = "none"
     collar_height: CollarHeight = 4.5
     sleeves: declared.Sleeves = True
-    sleeve_shape: KnittedSleeveOption = "plain"
     armhole: ArmholeCutOption = "set-in"
     wing: WingOption = 8.0
 
@@ -104,6 +103,7 @@ def draft_sweatshirt(options: SweatshirtOptions, measurements: Measurements) -> 
 class BomberJacketOptions(BandedOptions):
     """Options of the bomber jacket."""
 
+    sleeve_shape: BalloonOption = "plain"
     length: declared.BandedLength = 14.0
     chest_ease: declared.ChestEase = 18.0
     neck_widening: declared.CloseNeckWidening = 0.0
@@ -127,6 +127,7 @@ def draft_bomber_jacket(options: BomberJacketOptions, measurements: Measurements
 class DenimJacketOptions(BandedOptions):
     """Options of the denim jacket."""
 
+    sleeve_shape: BalloonOption = "plain"
     length: declared.BandedLength = 12.0
     chest_ease: declared.ChestEase = 14.0
     neck_widening: declared.CloseNeckWidening = 0.5
@@ -153,6 +154,7 @@ def draft_denim_jacket(options: DenimJacketOptions, measurements: Measurements) 
 class HoodieOptions(BandedOptions):
     """Options of the hoodie."""
 
+    sleeve_shape: BalloonOption = "plain"
     length: declared.BandedLength = 24.0
     chest_ease: declared.ChestEase = 18.0
     neck_widening: declared.HighNeckWidening = 2.5
