@@ -45,7 +45,13 @@ _LEGS_OF = {
 """Where the legs of a garment end that is to become another one with legs."""
 _COUNTED = frozenset({"godets", "tiers"})
 """Where there are none, so many more are so many."""
-_ELSE = {"top width": ("skirt hem", "chest"), "skirt hem": ("top width",), "waistband width": ("chest",)}
+_ELSE = {
+    "top width": ("skirt hem", "chest"),
+    "skirt hem": ("top width",),
+    "waistband width": ("chest",),
+    "sleeve end": ("cuff opening",),
+    "cuff opening": ("sleeve end",),
+}
 """What is meant where a garment has no such measure: of a tunic with a skirt the hem of that."""
 
 
