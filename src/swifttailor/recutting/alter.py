@@ -191,7 +191,7 @@ class _Work:
     def fulfil_in_two(
         self, now: Cutter, wish: Change, *, deeper: bool = True
     ) -> tuple[Cutter, list[str]] | None:
-        """Takes something off or sews something on first, where that opens a way; once more where it has to."""
+        """Takes off or sews on what opens a way first; something else after that where it has to be."""
         held = self.holding(now.facts)
         for way in OPENING:
             imagined = opened(way, now.facts) if names_it(wish, way.opens) else None

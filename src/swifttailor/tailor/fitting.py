@@ -57,7 +57,11 @@ def from_edit(wanted: Wanted) -> Answer | None:
     if recut is not None and not recut.cuts and not recut.open:
         return _as_it_is(edit, wanted, open=())
     written = not any(OF_DRAFTS.fullmatch(panel.name) for panel in edit.panels)
-    if recut is None or len(recut.open) == len(wanted.wishes) or (written and _is_remade(edit, recut, wanted.original)):
+    if (
+        recut is None
+        or len(recut.open) == len(wanted.wishes)
+        or (written and _is_remade(edit, recut, wanted.original))
+    ):
         return None if written else _as_it_is(edit, wanted)
     verdict = judged(recut, wanted)
     if verdict.unsound:
@@ -151,7 +155,7 @@ def _best_alteration(
     """What is altered, None where nothing can be measured; and whether it is the pattern to edit."""
     edit, recut = wanted.order.edit, wanted.recut
     changes = tuple(wish.change for wish in wanted.wishes)
-    remade = edit is not None and recut is not None and _is_remade(edit, recut)
+    remade = edit is not None and recut is not None and _is_remade(edit, recut, wanted.original)
     written = None
     if recut is None or recut.open or remade:
         written = altered(pattern, changes, wanted.original)

@@ -50,7 +50,9 @@ def lengthen_hem(cutter: Cutter, distance: float) -> Pattern | None:
     # With what is open beside it, which stays as high as it is.
     around = {ref for loop in cutter.anatomy.loops(Border.HEM) for ref in loop.edges}
     lower = [ref for ref in cutter.anatomy.free_edges(Part.TORSO) if ref in around]
-    return move_ends(cutter.pattern, lower, distance, upright=True) or move_ends(cutter.pattern, hem, distance)
+    return move_ends(cutter.pattern, lower, distance, upright=True) or move_ends(
+        cutter.pattern, hem, distance
+    )
 
 
 def _falls_straight(cutter: Cutter, distance: float) -> bool:

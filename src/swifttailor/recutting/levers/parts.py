@@ -157,7 +157,9 @@ def _cuffs_added(kind: CuffKind, upper: Part, *, gathered: bool = False) -> Leve
         return replace(with_hem(facts, length), trousers=legs)
 
     def cut(cutter: Cutter, amount: float) -> Pattern | None:
-        shorter = cuts.lengthen_sleeves(cutter, -amount) if of_sleeves and _reaches_hands(cutter.facts) else None
+        shorter = (
+            cuts.lengthen_sleeves(cutter, -amount) if of_sleeves and _reaches_hands(cutter.facts) else None
+        )
         start = cutter if shorter is None else cutter.with_pattern(shorter)
         return cuts.add_cuffs(start, amount, share, flare, upper=upper)
 

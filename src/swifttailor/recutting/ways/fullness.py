@@ -26,7 +26,7 @@ def widen_panels(
         names: Panels that stand upright, their local y being up.
         factor: New width over old.
         keep_lower: Whether they are stretched less the further down, and not at all at their lower ends.
-        over: How far below their upper ends they are stretched at all, cm; down to their lower ends when None.
+        over: How far below their upper ends they are stretched at all, cm; all the way down when None.
 
     Returns:
         The recut pattern, arcs bent; None where an arc sweeps too far for that.

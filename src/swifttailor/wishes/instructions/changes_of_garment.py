@@ -133,6 +133,26 @@ def with_their_legs(told: Sequence[Change], facts: GarmentFacts) -> list[Change]
     return found
 
 
+def with_slits_that_are(told: Sequence[Change], facts: GarmentFacts) -> list[Change]:
+    """A height that is asked for, of the slit that is there: no second one is cut to it.
+
+    Args:
+        told: What is asked for.
+        facts: Of the garment.
+    """
+    places = [c.claim.value for c in told if isinstance(c, Gain) and c.claim.name == "slit"]
+    quantity = f"{places[0]} slit" if len(places) == 1 else ""
+    was = QUANTITIES[quantity].of(facts) if quantity in QUANTITIES else None
+    if was is None:
+        return list(told)
+    found: list[Change] = []
+    for change in told:
+        high = change.claim if isinstance(change, Gain) and change.claim.name == "slit_cm" else None
+        by = 0.0 if high is None else round(float(high.value) - was, 2)
+        found.append(change if abs(by) < 1.0 else Step(quantity, 1 if by > 0 else -1, abs(by)))
+    return found
+
+
 def in_step_with_hems(told: Sequence[Change], said: Callable[[Change], bool]) -> list[Change]:
     """Without amounts that nobody said of a length, where it is said where the hem is to end.
 
