@@ -53,6 +53,8 @@ class Dimension:
     """The same as a part of the measure; the larger counts."""
     stated: Stated | None = None
     """How it is claimed with a number; None where it is not."""
+    none_below: float = -math.inf
+    """What is less is seen as this: a bodice that holds a gathered skirt is not gathered the less for it."""
     closes: bool = False
     """Of something that a garment need not have: it is gone where it shrinks to 0."""
 
@@ -63,6 +65,7 @@ class Dimension:
 
     def seen(self, before: float, after: float) -> bool:
         """Whether the difference of two measures is seen."""
+        before, after = max(before, self.none_below), max(after, self.none_below)
         return abs(after - before) >= max(self.least, self.share * max(abs(before), abs(after)))
 
     def stated_measure(self, facts: GarmentFacts) -> float | None:
@@ -320,7 +323,14 @@ _TABLE = (
         stated=Stated("hem_cm", 8.0, 0.08),
     ),
     Dimension("skirt gathers", "skirt over waist", at("skirt.gather"), least=0.12, unit="times"),
-    Dimension("bodice gathers", "bodice over waist", at("torso.gather"), least=0.15, unit="times"),
+    Dimension(
+        "bodice gathers",
+        "bodice over waist",
+        at("torso.gather"),
+        least=0.15,
+        unit="times",
+        none_below=1.0,
+    ),
     Dimension(
         "tier gathers",
         "lower tiers over upper ones",

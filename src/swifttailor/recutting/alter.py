@@ -14,7 +14,7 @@ from swifttailor.describing.facts import GarmentFacts
 from swifttailor.errors import PatternError, SwiftTailorError
 from swifttailor.pattern import Pattern
 from swifttailor.recutting.levers.lever import Lever, Trick
-from swifttailor.recutting.plans import TRICKS, Plan, find_plans, names_it
+from swifttailor.recutting.plans import OPENING, Plan, find_plans, names_it, opened
 from swifttailor.recutting.table.checking import accepted
 from swifttailor.recutting.table.cutter import Cutter
 from swifttailor.recutting.unasked import Keep, spoken_parts, unasked, undoing
@@ -188,23 +188,26 @@ class _Work:
                     return found
         return None
 
-    def fulfil_in_two(self, now: Cutter, wish: Change) -> tuple[Cutter, list[str]] | None:
-        """Takes something off first, where that opens a way."""
+    def fulfil_in_two(
+        self, now: Cutter, wish: Change, *, deeper: bool = True
+    ) -> tuple[Cutter, list[str]] | None:
+        """Takes off or sews on what opens a way first; something else after that where it has to be."""
         held = self.holding(now.facts)
-        for trick in TRICKS:
-            if not names_it(wish, trick.opens):
-                continue
-            imagined = trick.imagine(now.facts)
+        for way in OPENING:
+            imagined = opened(way, now.facts) if names_it(wish, way.opens) else None
             if imagined is None or not all(w.holds(self.original, imagined) for w in held):
                 continue
-            if not find_plans(imagined, self.original, [wish], held)[wish]:
+            if not deeper and not find_plans(imagined, self.original, [wish], held)[wish]:
                 continue
-            between = self._cut(now, trick, 0.0)
+            natural = way.natural or 0.0 if isinstance(way, Lever) else 0.0
+            between = self._cut(now, way, natural)
             if between is None or not self._keeps(held, between):
                 continue
             found = self.fulfil(between, find_plans(between.facts, self.original, [wish], held)[wish])
+            if found is None and deeper:
+                found = self.fulfil_in_two(between, wish, deeper=False)
             if found is not None and self._keeps(held, found[0]):
-                return found[0], [trick.name, *found[1]]
+                return found[0], [way.name.rstrip(","), *found[1]]
         return None
 
     def _keeps(self, held: Sequence[Change], after: Cutter) -> bool:

@@ -36,7 +36,7 @@ _TOWARDS: Mapping[tuple[str, str], tuple[str, int]] = {
 }
 
 
-_PARTS = (0.75, 0.5)
+_PARTS = (0.75, 0.5, 0.3, 0.15)
 """How much of a step is tried that cannot be done in full."""
 
 

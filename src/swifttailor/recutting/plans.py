@@ -30,6 +30,10 @@ MOST_VALUES = 1000
 """Of a lever; measures of patterns that make no sense have no bounds either."""
 
 
+OPENING: tuple[Lever | Trick, ...] = tuple([way for way in (*TRICKS, *LEVERS) if way.opens])
+"""What may be done first, so that another lever can be used."""
+
+
 @dataclass(frozen=True)
 class Plan:
     """One way to fulfil a wish."""
@@ -100,8 +104,19 @@ def find_plans(
             start = now if now is not None else lever.natural
             assert start is not None, lever.label
             targets = _targets(lever, wish, facts, original, (values, imagined, possible), start)
-            plans[wish].append(Plan(wish, lever, targets, most - 1, rank))
+            clear = any(map(_claims(wish), (i for i, p in zip(imagined, possible, strict=True) if p)))
+            plans[wish].append(Plan(wish, lever, targets, most - 1, rank if clear else rank + len(LEVERS)))
     return {w: sorted(found, key=lambda p: p.order) for w, found in plans.items()}
+
+
+def opened(way: Lever | Trick, facts: GarmentFacts) -> GarmentFacts | None:
+    """What a garment would show after what may be done first; None where that cannot be done."""
+    if isinstance(way, Trick):
+        return way.imagine(facts)
+    if way.of(facts) is not None or way.natural is None:
+        return None
+    imagined = way.imagine(facts, way.natural)
+    return None if imagined == facts else imagined
 
 
 def names_it(wish: Change, names: Collection[str]) -> bool:
@@ -202,6 +217,14 @@ def _nearest_run(values: NDArray[np.float64], mask: Bools, start: float) -> tupl
     return (a, b) if start < a else (b, a)
 
 
+def _claims(wish: Change) -> Callable[[GarmentFacts], bool]:
+    """Whether facts are clearly so, and not only within what is tolerated; always of a number."""
+    if not isinstance(wish, Gain) or CLAIM_TYPES[wish.claim.name].measure is not None:
+        return lambda facts: True
+    test = CLAIM_TYPES[wish.claim.name].words[str(wish.claim.value)]
+    return lambda facts: test(facts, CLAIMING)
+
+
 def _miss(wish: Change, original: GarmentFacts) -> Callable[[GarmentFacts], float] | None:
     """How far facts are from what a wish with a number asks for; None for a word."""
     if isinstance(wish, Gain):
@@ -212,6 +235,7 @@ def _miss(wish: Change, original: GarmentFacts) -> Callable[[GarmentFacts], floa
         return lambda facts: abs((measure.stated_measure(facts) or 0.0) - stated)
     quantity = QUANTITIES[wish.quantity]
     was = quantity.of(original) or 0.0
-    natural = max(2.0 * quantity.least, NATURAL_SHARE * abs(was))
+    seen = 2.0 * quantity.least if quantity.unit != "pieces" else 1.0
+    natural = max(seen, NATURAL_SHARE * abs(was))
     change = wish.direction * (wish.amount if wish.amount is not None else natural)
     return lambda facts: abs((quantity.of(facts) or 0.0) - was - change)

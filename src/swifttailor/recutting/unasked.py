@@ -111,8 +111,15 @@ def unasked(
             for change in (*gains, *steps)
             if subject_of(change) in kept
             or (parts is not None and not _may_change(subject_of(change), parts))
+            or (subject_of(change) == "kind" and parts is not None and _has_other_halves(before, after))
         ]
     )
+
+
+def _has_other_halves(before: GarmentFacts, after: GarmentFacts) -> bool:
+    """Whether a bodice or legs came or went: no longer hem makes a dress of a jumpsuit."""
+    halves = [(facts.torso is None, facts.trousers is None) for facts in (before, after)]
+    return halves[0] != halves[1]
 
 
 def _may_change(subject: str, parts: frozenset[str]) -> bool:

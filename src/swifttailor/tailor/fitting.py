@@ -57,7 +57,11 @@ def from_edit(wanted: Wanted) -> Answer | None:
     if recut is not None and not recut.cuts and not recut.open:
         return _as_it_is(edit, wanted, open=())
     written = not any(OF_DRAFTS.fullmatch(panel.name) for panel in edit.panels)
-    if recut is None or len(recut.open) == len(wanted.wishes) or (written and _is_remade(edit, recut)):
+    if (
+        recut is None
+        or len(recut.open) == len(wanted.wishes)
+        or (written and _is_remade(edit, recut, wanted.original))
+    ):
         return None if written else _as_it_is(edit, wanted)
     verdict = judged(recut, wanted)
     if verdict.unsound:
@@ -153,7 +157,7 @@ def _best_alteration(
     """What is altered, None where nothing can be measured; and whether it is the pattern to edit."""
     edit, recut = wanted.order.edit, wanted.recut
     changes = tuple(wish.change for wish in wanted.wishes)
-    remade = edit is not None and recut is not None and _is_remade(edit, recut)
+    remade = edit is not None and recut is not None and _is_remade(edit, recut, wanted.original)
     written = None
     if recut is None or recut.open or remade:
         written = altered(pattern, changes, wanted.original)
@@ -297,7 +301,9 @@ def _changes_others(written: Alteration, wanted: Wanted) -> bool:
     return bool(unasked(parts, wanted.original, written.facts, wanted.heard.kept))
 
 
-def _is_remade(edit: Pattern, recut: Alteration) -> bool:
-    """Whether it has become another kind of garment, and not by what was taken off."""
+def _is_remade(edit: Pattern, recut: Alteration, before: GarmentFacts | None) -> bool:
+    """Whether it has become another kind of garment, and not by what was taken off, nor with its bodice."""
+    if before is not None and before.torso is not None and recut.facts.torso is not None:
+        return False
     is_other = any(isinstance(c, Gain) and c.claim.name == "kind" for c in recut.done)
     return is_other and len(recut.pattern.panels) >= len(edit.panels)

@@ -76,6 +76,8 @@ def anew_from_known(wanted: Wanted, library: Callable[[], PatternLibrary | None]
                 continue
             if whole and (closed or _hangs_otherwise(changes, original, found.facts)):
                 continue
+            if _is_of_another_kind(changes, original, found.facts):
+                continue
             cost = _changed_beside(changes, original, found.facts) + 0.5 * whole
             verdict = judged(found, wanted)
             if verdict.fault or (best is not None and cost >= best[0]):
@@ -202,6 +204,13 @@ def _hangs_otherwise(changes: Sequence[Change], before: GarmentFacts, after: Gar
         return False
     was, now = (QUANTITIES["top width"].of(facts) for facts in (before, after))
     return was is not None and (now is None or QUANTITIES["top width"].seen(was, now))
+
+
+def _is_of_another_kind(changes: Sequence[Change], before: GarmentFacts, after: GarmentFacts) -> bool:
+    """Whether it is called something else, where nobody speaks of kinds or of where it ends: a tunic."""
+    if {part_of(subject_of(change)) for change in changes} & {"hem", None}:
+        return False
+    return named_kind(before) != named_kind(after)
 
 
 def _changed_beside(changes: Sequence[Change], before: GarmentFacts, after: GarmentFacts) -> float:

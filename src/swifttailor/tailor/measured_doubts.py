@@ -6,13 +6,15 @@ measured, so both can be told without knowing where it went wrong.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from swifttailor.describing.claims import Claim
-from swifttailor.describing.differences import Change, Gain, subject_of
+from swifttailor.describing.differences import Change, Gain, Step, subject_of
 from swifttailor.describing.facts import GarmentFacts
 from swifttailor.recutting.to_the_figure import figures_missed
 from swifttailor.recutting.unasked import KEPT_CM, spoken_parts, unasked
+from swifttailor.wishes.instructions.change_words import find_parts
 from swifttailor.wishes.text.mentions import find_mentions
 from swifttailor.wording.lexicon import WordMark, exclude
 
@@ -23,6 +25,8 @@ _WAIST = "waist_seam"
 """The claim that is kept where a waist is told to stay."""
 _OF_THE_CUT = frozenset({"fits", "lengths", "styles", "parts"})
 """Categories of words that speak of the cut; occasions and names of garments leave it open."""
+_FOR_HIPS = frozenset({"skirt hem", "thigh"})
+"""What is cut for hips that are to be wider or closer."""
 _APART = frozenset({"kind", "sides"})
 """Claims that are about all of a garment, and told elsewhere."""
 
@@ -92,7 +96,20 @@ def _figures_not_so(answer: Answer) -> tuple[tuple[str, Change], ...]:
         )
         if said is not None:
             found.append((wanted.heard.text[said.start : said.end], change))
-    return tuple(found)
+    return (*found, *_hips_not_so(wanted.heard.text, waiting, before, after))
+
+
+def _hips_not_so(
+    text: str, changes: Sequence[Change], before: GarmentFacts, after: GarmentFacts
+) -> tuple[tuple[str, Change], ...]:
+    """Hips that are spoken of and stay as they are, where what is cut for them is another measure."""
+    named = next((part for part in find_parts(text.lower()) if part.part == "hips"), None)
+    steps = [c for c in changes if isinstance(c, Step) and c.quantity in _FOR_HIPS]
+    was, now = ((f.skirt or f.trousers) for f in (before, after))
+    if named is None or not steps or was is None or now is None:
+        return ()
+    moved = (now.hips - was.hips) * steps[0].direction
+    return () if moved >= KEPT_CM else ((named.word, steps[0]),)
 
 
 def _is_of_the_cut(mark: WordMark) -> bool:

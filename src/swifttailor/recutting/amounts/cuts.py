@@ -41,9 +41,34 @@ def free_hem(cutter: Cutter) -> tuple[EdgeRef, ...]:
 
 
 def lengthen_hem(cutter: Cutter, distance: float) -> Pattern | None:
-    """Moves the hem of a skirt, dress or top down, cm."""
+    """Moves the hem of a skirt, dress or top down, cm; that of a top stays as wide where hips pass it."""
     hem = free_hem(cutter)
-    return move_ends(cutter.pattern, hem, distance) if hem else None
+    if not hem:
+        return None
+    if not _falls_straight(cutter, distance):
+        return move_ends(cutter.pattern, hem, distance)
+    # With what is open beside it, which stays as high as it is.
+    around = {ref for loop in cutter.anatomy.loops(Border.HEM) for ref in loop.edges}
+    lower = [ref for ref in cutter.anatomy.free_edges(Part.TORSO) if ref in around]
+    return move_ends(cutter.pattern, lower, distance, upright=True) or move_ends(
+        cutter.pattern, hem, distance
+    )
+
+
+def _falls_straight(cutter: Cutter, distance: float) -> bool:
+    """Whether what a top is made longer by may hang straight down: nobody walks in that below the knees."""
+    hem, body = cutter.facts.hem, cutter.facts.body
+    if distance <= 0 or hem is None or not cutter.hem_of(Part.TORSO) or cutter.facts.kind != "top":
+        return False
+    level = hem.level - distance
+    return level > body.knee and hem.length >= OVER_HIPS * _girth_at(cutter, level)
+
+
+def _girth_at(cutter: Cutter, level: float) -> float:
+    """Of the body at a height below the waist, cm; that of the hips below them."""
+    figure = cutter.anatomy.figure
+    down = (figure.waist_y - level) / max(figure.waist_y - figure.hip_y, 1.0)
+    return figure.waist.girth + min(max(down, 0.0), 1.0) * (figure.hips.girth - figure.waist.girth)
 
 
 def lengthen_over_hips(cutter: Cutter, distance: float) -> Pattern | None:
@@ -55,10 +80,8 @@ def lengthen_over_hips(cutter: Cutter, distance: float) -> Pattern | None:
         return None
     after = cutter.with_pattern(longer)
     hem = free_hem(after)
-    body = after.anatomy.figure
     # What is closer above, at the waist, stays so.
-    down = (body.waist_y - cutter.facts.hem.level + distance) / max(body.waist_y - body.hip_y, 1.0)
-    girth = body.waist.girth + min(max(down, 0.0), 1.0) * (body.hips.girth - body.waist.girth)
+    girth = _girth_at(after, cutter.facts.hem.level - distance)
     missing = OVER_HIPS * girth - sum(map(longer.edge_length, hem))
     if not hem or missing <= 0:
         return None
@@ -147,12 +170,6 @@ def lengthen_with_band(cutter: Cutter, distance: float) -> Pattern | None:
     final = cutter.with_pattern(wider)
     seam = final.anatomy.seam(Part.TORSO, Part.WAISTBAND).own
     return swing_sides(wider, seam, short / 4, steepest=0.4) if seam else None
-
-
-def raise_collar(cutter: Cutter, distance: float) -> Pattern | None:
-    """Makes a collar wider, cm."""
-    ends = cutter.anatomy.free_edges(Part.COLLAR)
-    return move_ends(cutter.pattern, ends, distance) if ends else None
 
 
 def is_gored(cutter: Cutter) -> bool:

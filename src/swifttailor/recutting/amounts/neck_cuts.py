@@ -9,6 +9,7 @@ from swifttailor.describing.measuring.parts import Part
 from swifttailor.pattern import Pattern
 from swifttailor.recutting.table.cutter import Cutter
 from swifttailor.recutting.ways.collars import add_collar, add_hood, neck_quarters
+from swifttailor.recutting.ways.ends import move_ends
 from swifttailor.recutting.ways.removal import remove_panels
 
 _DEEPER_CM = (0.0, 2.0, 4.0, 6.0)
@@ -54,6 +55,16 @@ def recut_under(cutter: Cutter, recut: Callable[[Cutter], Pattern | None]) -> Pa
         return None
     hoods = (sew_hood(after, hood.height, hood.depth + more) for more in _DEEPER_CM)
     return next((hooded for hooded in hoods if hooded is not None), None)
+
+
+def raise_collar(cutter: Cutter, distance: float) -> Pattern | None:
+    """Makes a collar wider, cm; lapels are sewn on anew."""
+    collar = cutter.facts.collar
+    if collar is None or collar.kind != "lapel":
+        ends = cutter.anatomy.free_edges(Part.COLLAR)
+        return move_ends(cutter.pattern, ends, distance) if ends else None
+    bare = None if cutter.facts.hood is not None else bare_neck(cutter)
+    return None if bare is None else sew_collar(bare, collar.kind, collar.height + distance)
 
 
 def resize_hood(cutter: Cutter, height: float, depth: float) -> Pattern | None:

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from swifttailor.describing.measuring.parts import Part, Side
 from swifttailor.describing.measuring.wings import find_wing
 from swifttailor.pattern import Pattern
+from swifttailor.recutting.amounts.cuts import add_cuffs, remove_parts
 from swifttailor.recutting.table.cutter import Cutter
 from swifttailor.recutting.ways.armholes import lengthen_shoulders, lower_underarms
 from swifttailor.recutting.ways.sleeve_width import (
@@ -16,11 +17,13 @@ from swifttailor.recutting.ways.sleeve_width import (
     sleeve_halves,
     stretch_sleeves,
 )
-from swifttailor.recutting.ways.sleeves import Hole, find_hole
+from swifttailor.recutting.ways.sleeves import ARM_EASE_CM, Hole, find_hole
 from swifttailor.recutting.ways.sleeves import add_sleeves as sew_in_sleeves
 from swifttailor.recutting.ways.sleeves import mirror_sleeve as mirrored
 
 _SIDES: tuple[Side, Side] = ("left", "right")
+_ALIKE_CM = 2.0
+"""Sleeves that differ by more are not cut anew together."""
 
 
 def _sleeve_halves(cutter: Cutter) -> list[Half]:
@@ -87,7 +90,30 @@ def widen_shoulders(cutter: Cutter, distance: float) -> Pattern | None:
     return lengthen_shoulders(cutter.pattern, holes, distance) if holes else None
 
 
-def add_sleeves(cutter: Cutter, length: float, sides: Sequence[Side] = _SIDES) -> Pattern | None:
+def renew_sleeves(cutter: Cutter, width: float) -> Pattern | None:
+    """Cuts both sleeves anew for the same armholes, smooth and as long as they were, cuffs as high.
+
+    Args:
+        cutter: The pattern.
+        width: Around the sleeves at the underarm, cm; more where an armhole asks for it.
+    """
+    left, right = cutter.facts.left_sleeve, cutter.facts.right_sleeve
+    if left is None or right is None or abs(left.length - right.length) > _ALIKE_CM:
+        return None
+    cuff, length = left.cuff, (left.length + right.length) / 2
+    bare = remove_parts(cutter, Part.SLEEVE, Part.CUFF)
+    if bare is None or (cuff is None) != (right.cuff is None):
+        return None
+    ease = width - cutter.facts.body.upper_arm_girth
+    sewn = add_sleeves(cutter.with_pattern(bare), length - (cuff.length if cuff else 0.0), ease=ease)
+    if sewn is None or cuff is None:
+        return sewn
+    return add_cuffs(cutter.with_pattern(sewn), cuff.length, 1.0, cuff.flare)
+
+
+def add_sleeves(
+    cutter: Cutter, length: float, sides: Sequence[Side] = _SIDES, *, ease: float = ARM_EASE_CM
+) -> Pattern | None:
     """Sews sleeves into the free armholes of some sides, cm from the shoulder tip to the end.
 
     None where there is nothing to do, or an armhole is not free or not of a shape that a sleeve fits.
@@ -100,7 +126,7 @@ def add_sleeves(cutter: Cutter, length: float, sides: Sequence[Side] = _SIDES) -
         if hole is None:
             return None
         holes.append(hole)
-    return sew_in_sleeves(cutter.pattern, cutter.anatomy, holes, length) if holes else None
+    return sew_in_sleeves(cutter.pattern, cutter.anatomy, holes, length, ease) if holes else None
 
 
 def mirror_sleeve(cutter: Cutter) -> Pattern | None:

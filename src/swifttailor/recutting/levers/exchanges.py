@@ -274,7 +274,7 @@ _ANEW = Lever(
     span=_flared_span,
     step=5.0,
     words=WIDER,
-    only_for=("skirt", "skirt hem", "hem_cm", "hips"),
+    only_for=("skirt", "skirt hem", "skirt gathers", "hem_cm", "hips"),
 )
 CURVED_LEVERS: tuple[Lever, ...] = (replace(_ANEW, of=_curved_hem),)
 """Before seams are turned or cloth is gathered in, which bends the hem of what is cut from a circle."""

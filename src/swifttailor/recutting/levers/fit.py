@@ -9,15 +9,19 @@ import numpy as np
 
 from swifttailor.describing.facts import GarmentFacts
 from swifttailor.describing.measuring.parts import ARM_PARTS, LEG_PARTS, LOWER_PARTS, Part
+from swifttailor.describing.measuring.skirts import upper_edges
 from swifttailor.pattern import Pattern
 from swifttailor.recutting.levers.lever import MORE_GATHERED, WIDER, Lever, fixed, of_dimension
 from swifttailor.recutting.table.cutter import Cutter
 from swifttailor.recutting.ways.ends import swing_sides
+from swifttailor.recutting.ways.fullness import widen_panels
 from swifttailor.recutting.ways.grading import Spread, spread_panels
 
 _PANELS = 4.0
 """Side edges of front and back, left and right."""
 _LEAST_SPREAD_CM = 3.0
+_AT_HIPS = 0.35
+"""How much of what a jumpsuit is let out at its waist is left at the hips, about."""
 _LEAST_GATHER, _MOST_GATHER = 0.99, 1.9
 """Of the lower edge of a bodice over what holds it."""
 _STEEPEST_SIDE = 0.6
@@ -41,29 +45,35 @@ def _set_chest(facts: GarmentFacts, chest: float) -> GarmentFacts:
         left_shoulder=left,
         right_shoulder=right,
     )
-    skirt, band = facts.skirt, facts.waistband
+    skirt, band, legs = facts.skirt, facts.waistband, facts.trousers
     if skirt is not None:
         skirt = replace(skirt, upper=skirt.upper * factor, hips=skirt.hips * factor, hem=skirt.hem * factor)
+    if legs is not None:
+        legs = replace(legs, hips=legs.hips + _AT_HIPS * by)
     if band is not None:
         band = replace(band, upper=band.upper * factor, lower=band.lower * factor)
-    return replace(facts, torso=wider, skirt=skirt, waistband=band)
+    return replace(facts, torso=wider, skirt=skirt, trousers=legs, waistband=band)
 
 
 def _span(facts: GarmentFacts) -> tuple[float, float]:
-    if facts.torso is None or facts.trousers is not None:
+    if facts.torso is None:
         return 0.0, 0.0
     bust = facts.torso.chest - facts.torso.chest_ease
     return 0.95 * bust, 1.6 * bust
 
 
 def _cut(cutter: Cutter, amount: float) -> Pattern | None:
-    """What hangs from the bodice gets wider with it."""
-    anatomy = cutter.anatomy
-    if any(anatomy.has(p) for p in LEG_PARTS):
-        return None
-    length = anatomy.seam(Part.TORSO, {Part.WAISTBAND, Part.SKIRT}).length
+    """What hangs from the bodice gets wider with it; legs down to the crotch."""
+    anatomy, torso = cutter.anatomy, cutter.facts.torso
+    length = anatomy.seam(Part.TORSO, {Part.WAISTBAND} | LOWER_PARTS).length
     factor = (length + amount) / length if length > 1.0 else 1.0
-    return _cut_wider(cutter, amount, cutter.names(Part.WAISTBAND, Part.SKIRT, Part.GODET), factor)
+    wider = _cut_wider(cutter, amount, cutter.names(Part.WAISTBAND, Part.SKIRT, Part.GODET), factor)
+    if wider is None or torso is None or not any(anatomy.has(p) for p in LEG_PARTS):
+        return wider
+    held = {ref.panel for ref in upper_edges(anatomy, Part.TROUSER)[1].own}
+    band = cutter.facts.waistband
+    top = torso.lower_level - (band.height if band else 0.0)
+    return widen_panels(wider, sorted(held), factor, keep_lower=True, over=top - cutter.facts.body.crotch)
 
 
 def _cut_wider(

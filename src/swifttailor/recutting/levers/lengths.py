@@ -15,7 +15,7 @@ from swifttailor.describing.facts_paths import (
 )
 from swifttailor.describing.measuring.parts import Part
 from swifttailor.pattern import Pattern
-from swifttailor.recutting.amounts import cuts
+from swifttailor.recutting.amounts import cuts, neck_cuts
 from swifttailor.recutting.levers.lever import LOWEST_CM, Lever, fixed, of_dimension, of_sides, with_hem
 from swifttailor.recutting.levers.tiers import lengthen_tiered
 from swifttailor.recutting.table.cutter import Cutter
@@ -199,7 +199,7 @@ LENGTH_LEVERS: tuple[Lever, ...] = (
         stage=2,
         of=of_dimension("collar height"),
         imagine=imagine_at("collar.height"),
-        cut=cuts.raise_collar,
+        cut=neck_cuts.raise_collar,
         span=fixed(1.5, 20.0),
         step=0.5,
         words=_HIGHER,

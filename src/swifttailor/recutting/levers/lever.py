@@ -52,6 +52,8 @@ class Lever:
     """Whether it moves the measure of what is there."""
     only_for: tuple[str, ...] = ()
     """Claims and quantities it may be used for; all when empty."""
+    opens: tuple[str, ...] = ()
+    """Claims for which it may make what there is none of, so that another lever can be used."""
     gathers: bool = False
     """Whether seams are meant to join other lengths afterwards."""
     or_less: tuple[float, ...] = ()

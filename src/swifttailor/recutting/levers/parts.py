@@ -16,8 +16,10 @@ from swifttailor.recutting.table.cutter import Cutter
 from swifttailor.recutting.ways.sleeves import ARM_EASE_CM
 
 _FLOUNCE_FLARE = 1.7
-_THINNER_WRIST = 0.45
+THINNER_WRIST = 0.45
 """By how much the wrist is thinner than the upper arm, as a part of it."""
+_TO_THE_HANDS = 1.0
+"""Length of sleeves, over that of the arm, from which a cuff takes the place of their ends."""
 _UPPER = ("torso", "front_neck", "back_neck", "collar", "hood", "left_sleeve", "right_sleeve")
 _BAND_SHARE = 0.7
 """Length of a new cuff over the sleeve end that is gathered into it."""
@@ -123,6 +125,11 @@ def _first_cuff(facts: GarmentFacts) -> float | None:
     return found[0].length if found and found[0] else None
 
 
+def _reaches_hands(facts: GarmentFacts) -> bool:
+    """Whether sleeves are so long that a cuff takes the place of their ends."""
+    return max((s.length for s in sleeves_of(facts)), default=0.0) > _TO_THE_HANDS * facts.body.arm_length
+
+
 def _cuffs_added(kind: CuffKind, upper: Part, *, gathered: bool = False) -> Lever:
     share = _BAND_SHARE if gathered else 1.0
     flare = _FLOUNCE_FLARE if kind == "flounce" else 1.0
@@ -132,21 +139,29 @@ def _cuffs_added(kind: CuffKind, upper: Part, *, gathered: bool = False) -> Leve
     def cuff(length: float, width: float) -> Cuff:
         return Cuff(kind, length, width * share * flare, flare)
 
-    def cuffed(sleeve: Sleeve, length: float) -> Sleeve:
+    def cuffed(sleeve: Sleeve, length: float, longer: float) -> Sleeve:
         new = cuff(length, sleeve.end_width)
-        return replace(sleeve, length=sleeve.length + length, end_gather=1 / share, cuff=new)
+        return replace(sleeve, length=sleeve.length + longer, end_gather=1 / share, cuff=new)
 
     def imagine(facts: GarmentFacts, length: float) -> GarmentFacts:
         if of(facts) is not None:
             return facts
         if of_sleeves:
-            return with_sleeves(facts, lambda s: cuffed(s, length))
+            longer = 0.0 if _reaches_hands(facts) else length
+            return with_sleeves(facts, lambda s: cuffed(s, length, longer))
         legs = facts.trousers
         if legs is None:
             return facts
         own = cuff(length, legs.hem)
         legs = replace(legs, inseam=legs.inseam + length, cuff=own, end_gather=1 / share)
         return replace(with_hem(facts, length), trousers=legs)
+
+    def cut(cutter: Cutter, amount: float) -> Pattern | None:
+        shorter = (
+            cuts.lengthen_sleeves(cutter, -amount) if of_sleeves and _reaches_hands(cutter.facts) else None
+        )
+        start = cutter if shorter is None else cutter.with_pattern(shorter)
+        return cuts.add_cuffs(start, amount, share, flare, upper=upper)
 
     what = "flounces" if kind == "flounce" else "cuffs"
     return Lever(
@@ -155,11 +170,12 @@ def _cuffs_added(kind: CuffKind, upper: Part, *, gathered: bool = False) -> Leve
         stage=0,
         of=of,
         imagine=imagine,
-        cut=lambda cutter, amount: cuts.add_cuffs(cutter, amount, share, flare, upper=upper),
+        cut=cut,
         span=fixed(4.0, 25.0),
         moves=False,
         natural=6.0,
         only_for=("cuffs", "cuff_cm", "sleeve_shape") if of_sleeves else ("leg_cuffs", "leg_cuff_cm"),
+        opens=("sleeve_shape: balloon", "sleeve_shape: gathered end") if of_sleeves and gathered else (),
     )
 
 
@@ -210,7 +226,7 @@ def _sleeves_added(sides: tuple[ArmSide, ...]) -> Lever:
             return facts
         arm = facts.body.upper_arm_girth
         width = arm + ARM_EASE_CM
-        end = width - _THINNER_WRIST * arm * min(length / facts.body.arm_length, 1.0)
+        end = width - THINNER_WRIST * arm * min(length / facts.body.arm_length, 1.0)
         new = Sleeve(
             length=length,
             upper_width=width,
@@ -239,6 +255,7 @@ def _sleeves_added(sides: tuple[ArmSide, ...]) -> Lever:
         only_for=("sleeves", "sleeve_cm", "sleeve_shape")
         if len(sides) == 2
         else ("sleeves", f"{sides[0]}_sleeve"),
+        opens=("sleeve_shape",) if len(sides) == 2 else (),
     )
 
 
@@ -255,7 +272,7 @@ PART_TRICKS: tuple[Trick, ...] = (
         imagine=_no_band,
         cut=cuts.remove_band,
         only_for=("waistband",),
-        opens=("waistband",),
+        opens=("waistband", "skirt: peplum", "kind: jumpsuit", "kind: playsuit"),
     ),
     _taken(
         "sleeves",

@@ -50,5 +50,6 @@ PEPLUM_TRICKS: tuple[Trick, ...] = (
         imagine=_with_peplum,
         cut=sew_peplum,
         only_for=("skirt: peplum",),
+        opens=("kind: jumpsuit", "kind: playsuit"),
     ),
 )

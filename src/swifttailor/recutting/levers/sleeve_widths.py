@@ -9,6 +9,7 @@ from swifttailor.describing.facts_paths import sleeves_of, with_sleeves
 from swifttailor.pattern import Pattern
 from swifttailor.recutting.amounts import sleeve_cuts
 from swifttailor.recutting.levers.lever import MORE_GATHERED, WIDER, Lever, fixed, of_dimension
+from swifttailor.recutting.levers.parts import THINNER_WRIST
 from swifttailor.recutting.table.cutter import Cutter
 
 _SHAPES = ("sleeve_shape", "sleeve_width_cm", "sleeve width", "sleeve end")
@@ -107,6 +108,31 @@ def _cut_upper_gathering(cutter: Cutter, amount: float) -> Pattern | None:
     return sleeve_cuts.gather_sleeve_heads(cutter, factor, _least_end(cutter.facts))
 
 
+def _set_anew(facts: GarmentFacts, width: float) -> GarmentFacts:
+    arm = facts.body.upper_arm_girth
+
+    def anew(sleeve: Sleeve) -> Sleeve:
+        end = width - THINNER_WRIST * arm * min(sleeve.length / facts.body.arm_length, 1.0)
+        cuff = sleeve.cuff and replace(sleeve.cuff, opening=end * sleeve.cuff.flare)
+        opening = end if cuff is None else cuff.opening
+        return replace(
+            sleeve,
+            upper_width=width,
+            end_width=end,
+            opening=opening,
+            head_gather=1.0,
+            end_gather=1.0,
+            cuff=cuff,
+        )
+
+    return with_sleeves(facts, anew)
+
+
+def _cut_anew(cutter: Cutter, amount: float) -> Pattern | None:
+    was = _upper(cutter.facts)
+    return sleeve_cuts.renew_sleeves(cutter, was + amount) if was else None
+
+
 def _set_end_gather(facts: GarmentFacts, gather: float) -> GarmentFacts:
     factor = gather / max(_end_gather(facts) or gather, 0.1)
     return with_sleeves(facts, lambda s: _widened(s, 1.0, factor))
@@ -147,6 +173,18 @@ SLEEVE_WIDTH_LEVERS: tuple[Lever, ...] = (
         span=_upper_span,
         words=WIDER,
         only_for=_SHAPES,
+        gathers=True,
+    ),
+    Lever(
+        name="sleeves cut anew,",
+        serves=("sleeve width",),
+        stage=3,
+        of=_upper,
+        imagine=_set_anew,
+        cut=_cut_anew,
+        span=_upper_span,
+        words=WIDER,
+        only_for=("sleeve_shape", "sleeve width"),
         gathers=True,
     ),
     replace(

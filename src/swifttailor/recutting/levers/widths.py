@@ -28,6 +28,8 @@ SIDE_EDGES = 4.0
 """Ends of side seams around a hem: so much wider does it get for 1 cm at each."""
 DART_CM = 2.5
 """What a dart of a skirt takes in, about."""
+_LEAST_GATHER, _MOST_GATHER = 1.0, 2.7
+_HIP_EASE_CM = 3.0
 _GATHERED = ("skirt gathers", "skirt: gathered")
 
 
@@ -122,6 +124,15 @@ def _set_gather(facts: GarmentFacts, gather: float) -> GarmentFacts:
     return replace(facts, skirt=replace(skirt, gather=gather, **wider))
 
 
+def _gather_span(facts: GarmentFacts) -> tuple[float, float]:
+    """Down to what the hips pass."""
+    skirt, hem = facts.skirt, facts.hem
+    if skirt is None or hem is None or hem.level > facts.body.hips:
+        return _LEAST_GATHER, _MOST_GATHER
+    passing = skirt.gather * (facts.body.hip_girth + _HIP_EASE_CM) / max(skirt.hips, 1.0)
+    return min(max(_LEAST_GATHER, passing), max(skirt.gather, _LEAST_GATHER)), _MOST_GATHER
+
+
 def _cut_gather(cutter: Cutter, amount: float) -> Pattern | None:
     gather = cuts.skirt_gather(cutter)
     return cuts.gather_skirt(cutter, (gather + amount) / gather) if gather else None
@@ -165,7 +176,7 @@ WIDTH_LEVERS: tuple[Lever, ...] = (
         of=_gather,
         imagine=_set_gather,
         cut=_cut_gather,
-        span=fixed(1.0, 2.7),
+        span=_gather_span,
         step=0.04,
         words=MORE_GATHERED,
         unit="",

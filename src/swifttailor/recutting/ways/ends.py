@@ -15,6 +15,8 @@ from swifttailor.recutting.table.workbench import Workbench
 
 SHORTEST_CM = 1.5
 """What is left at least of a side seam, or of the end of a panel."""
+SHORTEST_PIECE_CM = 0.5
+"""What is left at least of a side that another side of the same seam goes on from."""
 TURNING_CM = 8.0
 """So far a curved side is drawn on as it ends."""
 
@@ -52,6 +54,7 @@ def move_ends(
     carried: Collection[str] = (),
     *,
     least: float = SHORTEST_CM,
+    upright: bool = False,
 ) -> Pattern | None:
     """Moves the end of a part along its side seams.
 
@@ -61,6 +64,7 @@ def move_ends(
         distance: Outward, cm; negative cuts off.
         carried: Panels that hang from the end and move with it.
         least: What must be left of the end of a panel, cm.
+        upright: Whether sides are drawn on straight down, so that the end stays as wide as it is.
 
     Returns:
         The recut pattern, every side seam still joining equal lengths; None where the sides do not allow it.
@@ -73,7 +77,10 @@ def move_ends(
     if carried:
         return _move_whole(bench, ends, distance, carried)
     old = [bench.run_chord(e.run) for e in ends]
-    if distance > 0:
+    if distance > 0 and upright:
+        new = [was + distance * _down(bench, e) for e, was in zip(ends, old, strict=True)]
+        _insert_extensions(bench, ends, bent=True)
+    elif distance > 0:
         new = [_lengthened(bench, e, distance) for e in ends]
         _insert_extensions(bench, ends)
     else:
@@ -209,14 +216,23 @@ def _drawn_on(tangent: Floats, chord: Floats, distance: float) -> Floats:
     return along / max(float(np.hypot(*along)), 1e-9)
 
 
-def _insert_extensions(bench: Workbench, ends: Sequence[End]) -> None:
-    """Adds a straight side where a curved one cannot simply be drawn on, and sews it to its partner's."""
+def _down(bench: Workbench, end: End) -> Floats:
+    """Straight down (2,) on a panel, as it is placed."""
+    down = -bench.pieces[end.panel].panel.placement.matrix()[1, :2]
+    return down / max(float(np.hypot(*down)), 1e-9)
+
+
+def _insert_extensions(bench: Workbench, ends: Sequence[End], *, bent: bool = False) -> None:
+    """Adds a straight side where a curved one cannot simply be drawn on, and sews it to its partner's.
+
+    Where sides are bent, all of them are added.
+    """
     added: dict[int, int] = {}
     for end in ends:
         for side, at in ((end.before, end.run[0]), (end.after, end.after)):
             partner = bench.partner(side)
             sides = [s for s in (side, partner) if s is not None]
-            if all(isinstance(bench.side(s).edge.curve, Line) for s in sides):
+            if not bent and all(isinstance(bench.side(s).edge.curve, Line) for s in sides):
                 continue
             added[side] = bench.insert_line(at, bench.side(at).start)
     for side, extension in added.items():
@@ -235,7 +251,9 @@ def _cut_off(bench: Workbench, ends: Sequence[End], distance: float) -> bool:
         return False
     left = {s: distance for e in ends for s in (e.before, e.after)}
     while True:
-        used_up = [s for s, rest in left.items() if rest > 0 and _length(bench, s) < rest + SHORTEST_CM]
+        used_up = [
+            s for s, rest in left.items() if rest > 0 and _length(bench, s) < rest + _stays(bench, ends, s)
+        ]
         if not used_up:
             break
         # Both sides of a seam go together.
@@ -245,9 +263,9 @@ def _cut_off(bench: Workbench, ends: Sequence[End], distance: float) -> bool:
                 side = getattr(end, which)
                 if side not in used_up:
                     continue
-                rest = left.pop(side) - _length(bench, side)
+                rest = max(left.pop(side) - _length(bench, side), 0.0)
                 following = bench.neighbour(side, step)
-                if rest < 0.3 or following in left or following in (*end.run, end.before, end.after):
+                if following in left or following in (*end.run, end.before, end.after):
                     return False
                 if which == "before":
                     bench.side(end.run[0]).start = bench.side(side).start
@@ -258,15 +276,27 @@ def _cut_off(bench: Workbench, ends: Sequence[End], distance: float) -> bool:
             return False
     for end in ends:
         rest, length = left[end.before], _length(bench, end.before)
-        cut = bench.split(end.before, 1 - rest / length)
-        bench.side(end.run[0]).start = bench.side(cut).start
-        bench.drop(cut)
+        if rest > 0.0:
+            cut = bench.split(end.before, 1 - rest / length)
+            bench.side(end.run[0]).start = bench.side(cut).start
+            bench.drop(cut)
         rest, length = left[end.after], _length(bench, end.after)
+        if rest <= 0.0:
+            continue
         kept = bench.split(end.after, rest / length)
         bench.resew(end.after, kept)
         bench.drop(end.after)
         end.after = kept
     return True
+
+
+def _stays(bench: Workbench, ends: Sequence[End], side: int) -> float:
+    """What has to be left of a side, cm: less where the seam that it is of goes on above it."""
+    step = -1 if any(end.before == side for end in ends) else 1
+    above, partner = bench.neighbour(side, step), bench.partner(side)
+    beyond = None if partner is None else bench.neighbour(partner, -step)
+    goes_on = bench.partner(above) == beyond and _length(bench, above) >= SHORTEST_CM
+    return SHORTEST_PIECE_CM if goes_on else SHORTEST_CM
 
 
 def _shared(ends: Sequence[End]) -> bool:

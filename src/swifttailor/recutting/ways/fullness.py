@@ -17,6 +17,7 @@ def widen_panels(
     factor: float,
     *,
     keep_lower: bool = False,
+    over: float | None = None,
 ) -> Pattern | None:
     """Stretches panels across, in their local x, about their middles.
 
@@ -25,6 +26,7 @@ def widen_panels(
         names: Panels that stand upright, their local y being up.
         factor: New width over old.
         keep_lower: Whether they are stretched less the further down, and not at all at their lower ends.
+        over: How far below their upper ends they are stretched at all, cm; all the way down when None.
 
     Returns:
         The recut pattern, arcs bent; None where an arc sweeps too far for that.
@@ -34,6 +36,7 @@ def widen_panels(
         panel = pattern.panel(name)
         box = panel.bounding_box()
         middle, (low, high) = float(box[:, 0].mean()), box[:, 1]
+        low = low if over is None else max(low, high - over)
 
         def stretch(points: Floats, middle: float = middle, low: float = low, high: float = high) -> Floats:
             share = np.clip((points[:, 1] - low) / (high - low), 0.0, 1.0) if keep_lower else 1.0

@@ -45,7 +45,13 @@ _LEGS_OF = {
 """Where the legs of a garment end that is to become another one with legs."""
 _COUNTED = frozenset({"godets", "tiers"})
 """Where there are none, so many more are so many."""
-_ELSE = {"top width": ("skirt hem", "chest"), "skirt hem": ("top width",), "waistband width": ("chest",)}
+_ELSE = {
+    "top width": ("skirt hem", "chest"),
+    "skirt hem": ("top width",),
+    "waistband width": ("chest",),
+    "sleeve end": ("cuff opening",),
+    "cuff opening": ("sleeve end",),
+}
 """What is meant where a garment has no such measure: of a tunic with a skirt the hem of that."""
 
 
@@ -124,6 +130,26 @@ def with_their_legs(told: Sequence[Change], facts: GarmentFacts) -> list[Change]
         if isinstance(change, Gain) and change.claim.name == "kind":
             ends = _LEGS_OF.get((named_kind(facts), str(change.claim.value)))
         found.append(change if ends is None else Gain(Claim("leg_hem", ends)))
+    return found
+
+
+def with_slits_that_are(told: Sequence[Change], facts: GarmentFacts) -> list[Change]:
+    """A height that is asked for, of the slit that is there: no second one is cut to it.
+
+    Args:
+        told: What is asked for.
+        facts: Of the garment.
+    """
+    places = [c.claim.value for c in told if isinstance(c, Gain) and c.claim.name == "slit"]
+    quantity = f"{places[0]} slit" if len(places) == 1 else ""
+    was = QUANTITIES[quantity].of(facts) if quantity in QUANTITIES else None
+    if was is None:
+        return list(told)
+    found: list[Change] = []
+    for change in told:
+        high = change.claim if isinstance(change, Gain) and change.claim.name == "slit_cm" else None
+        by = 0.0 if high is None else round(float(high.value) - was, 2)
+        found.append(change if abs(by) < 1.0 else Step(quantity, 1 if by > 0 else -1, abs(by)))
     return found
 
 

@@ -28,6 +28,7 @@ from swifttailor.wishes.instructions.changes_of_garment import (
     named_kind,
     with_share,
     with_shares,
+    with_slits_that_are,
     with_their_legs,
 )
 from swifttailor.wishes.instructions.described import with_their_names, without_described
@@ -39,7 +40,7 @@ from swifttailor.wishes.instructions.left_unread import (
     other_garments,
 )
 from swifttailor.wishes.instructions.one_meaning import in_one_meaning, still_in
-from swifttailor.wishes.instructions.refusals import compared_away, is_moved_away, refused
+from swifttailor.wishes.instructions.refusals import compared_away, is_moved_away, refused, without_gathers
 from swifttailor.wishes.instructions.said_plainly import (
     clear_changes,
     compared_plainly,
@@ -283,7 +284,8 @@ def _heard_changes(text: str, reader: WishReader, facts: GarmentFacts | None) ->
         asked = [with_share(own, change, facts) for change in asked]
     sure = [replace(wish, change=change) for wish, change in zip(sure, asked, strict=True)]
     if facts is not None:
-        legs = with_their_legs([w.change for w in sure], facts)
+        legs = without_gathers([w.change for w in sure], held, facts)
+        legs = with_their_legs(with_slits_that_are(legs, facts), facts)
         sure = [next((w for w in sure if w.change == c), Wish(c, SURENESS["certain"])) for c in legs]
         steps = to_the_word([w.change for w in sure], facts)
         sure = [w for w in sure if not steps or w.change not in _VAGUE] + [

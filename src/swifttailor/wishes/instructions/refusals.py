@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 
 from swifttailor.describing.claims import Claim
 from swifttailor.describing.differences import Change, Gain, Step
+from swifttailor.describing.facts import GarmentFacts
 from swifttailor.wishes.instructions.change_words import find_changes
 from swifttailor.wording.lexicon import WordReading
 
@@ -14,6 +15,10 @@ _DISLIKED = re.compile(
     r"(?<!\w)(?:hate|dislike|(?:don['’]?t|do not) (?:like|love)|can['’]?t stand)(?!\w)[^.,;!?]*"
 )
 """What is disliked for being too wide is not to go: "I hate that the hood is so big"."""
+_GATHERED = Claim("skirt", "gathered")
+_ALL_OF_THEM = 1.25
+_SMOOTH = frozenset({"straight", "pencil", "narrowing", "a-line"})
+"""Shapes of skirts that are not gathered into the waist."""
 
 
 def refused(words: WordReading) -> tuple[Claim, ...]:
@@ -52,3 +57,23 @@ def is_moved_away(gain: Gain, told: Sequence[Change]) -> bool:
     }  # fmt: skip
     steps = {change.quantity for change in told if isinstance(change, Step)}
     return bool(steps.intersection(moved.get(gain.claim.name, ())))
+
+
+def without_gathers(told: Sequence[Change], held: Collection[Claim], facts: GarmentFacts) -> list[Change]:
+    """With a gathered skirt cut smooth, where its gathers are refused or it is to be of a shape without any.
+
+    Args:
+        told: What is asked for.
+        held: What is refused and true of the garment.
+        facts: Of the garment.
+    """
+    shapes = {c.claim.value for c in told if isinstance(c, Gain) and c.claim.name == "skirt"}
+    away = [c for c in told if isinstance(c, Step) and (c.quantity, c.direction) == ("skirt gathers", -1)]
+    if facts.skirt is None or not _GATHERED.holds(facts) or any(c.amount is not None for c in away):
+        return list(told)
+    refuses = _GATHERED in held and (bool(away) or bool(shapes))
+    if not refuses and (away or not shapes or not shapes <= _SMOOTH):
+        return list(told)
+    # A little more than there is: what is left of gathers is not near enough.
+    smooth = Step("skirt gathers", -1, round(_ALL_OF_THEM * (facts.skirt.gather - 1.0), 2))
+    return [*[c for c in told if c not in away], smooth]
