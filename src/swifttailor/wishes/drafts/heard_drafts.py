@@ -17,8 +17,8 @@ from swifttailor.wishes.drafts.close_skirts import close_skirt_as_asked
 from swifttailor.wishes.drafts.close_wraps import roomy_wrap_as_asked, wrapped_close_as_asked
 from swifttailor.wishes.drafts.drafts_as_asked import draft_as_asked
 from swifttailor.wishes.drafts.drafts_of_names import covers, draft_of_kind, draft_of_name
-from swifttailor.wishes.drafts.fitted_dresses import fitted_as_asked
 from swifttailor.wishes.drafts.elastic_waists import denied_lacks, elastic_meant
+from swifttailor.wishes.drafts.fitted_dresses import fitted_as_asked
 from swifttailor.wishes.drafts.godets_as_asked import godets_as_asked
 from swifttailor.wishes.drafts.gored_drafts import gored_as_said
 from swifttailor.wishes.drafts.hearted_drafts import hearted_as_asked
