@@ -29,7 +29,6 @@ from swifttailor.wishes.corrections.one_arm import (
     with_both_arms,
     without_guessed_length,
 )
-from swifttailor.wishes.corrections.short_wholes import is_short_itself
 from swifttailor.wishes.corrections.sureness import likely_wishes, sure_wishes
 from swifttailor.wishes.corrections.told_leg_ends import with_told_leg_ends
 from swifttailor.wishes.corrections.told_sleeves import as_long_as_told, of_the_only_arm, with_named_sleeves
@@ -51,6 +50,7 @@ from swifttailor.wishes.descriptions.kind_of_details import (
 from swifttailor.wishes.descriptions.made_into import made_into_a_dress
 from swifttailor.wishes.descriptions.sayings_of_wishes import plainly_wished, without_asides
 from swifttailor.wishes.descriptions.united import explained, united
+from swifttailor.wishes.descriptions.unmeant_guesses import without_guesses
 from swifttailor.wishes.descriptions.whole_wish import described_as_a_whole
 from swifttailor.wishes.descriptions.worn_for import worn_for
 from swifttailor.wishes.drafts.refused_looks import refused_frills
@@ -59,7 +59,7 @@ from swifttailor.wishes.instructions.spoken_of import is_of_places
 from swifttailor.wishes.looks.words_of_looks import spans_of_looks
 from swifttailor.wishes.outfits.first_piece import first_piece
 from swifttailor.wishes.outfits.side_remarks import without_side_remarks
-from swifttailor.wishes.reader import SURE, Wish, WishReader
+from swifttailor.wishes.reader import Wish, WishReader
 from swifttailor.wishes.text.accounting import subjects_spoken_of, unaccounted
 from swifttailor.wishes.text.complaints import without_complaints
 from swifttailor.wishes.text.leg_figures import (
@@ -196,7 +196,7 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
     found = (*without_deep_cuffs(text, words, without_flare(found)), *of_both_faces(text, found))
     found = with_named_sleeves(as_long_as_told(found, words), never, words)
     if words.language == ENGLISH:
-        found = _without_guesses(text, with_both_arms(text, found), words)
+        found = without_guesses(text, with_both_arms(text, found), words)
     found = of_the_only_arm(of_one_arm(without_guessed_length(found, words)))
     found = without_opposites(of_two_arms(found), words)
     found = without_told_shapes(text, with_told_leg_ends(fitting_the_name(found, words), words))
@@ -308,12 +308,6 @@ def _within_names(network: Sequence[Wish], words: WordReading) -> list[Wish]:
 
 
 _BESIDE = re.compile(r"\b(?:something|anything|outfit|with|over|under\w*|like|match\w*|for)\b", re.IGNORECASE)
-_SLITS = re.compile(r"slit|split|vent|\bcuts?\b|slash|open|gap|pleat|walk", re.IGNORECASE)
-_WAISTS = re.compile(
-    r"waist|empire|bust|breast|bosom|chest|rib|hip|seam|drop|flapper|1920|20s|join|belly|tummy|bump", re.I
-)
-_LONG_SLEEVES = Claim("sleeves", "long")
-_SHORT_SLEEVES = tuple([Claim("sleeves", value) for value in ("cap", "short", "elbow")])
 _SHORT = re.compile(r"(?<![\w-])short(?![\w-])", re.IGNORECASE)
 _SLEEVES_CUT = re.compile(
     r"short\w*(?:[ -][\w'-]+){0,2}[ -](?:sleeve|arm)"
@@ -322,8 +316,7 @@ _SLEEVES_CUT = re.compile(
     re.IGNORECASE,
 )
 """What may make sleeves short that are usually long; "short" by itself is said of the hem."""
-_LOOSE, _BARE_ARMS = Claim("fit", "loose"), Claim("sleeves", "none")
-_UNCUFFED = frozenset({"turn_ups", "raw_hem"})
+_BARE_ARMS = Claim("sleeves", "none")
 _FEW_WORDS, _NO_STORY = 5, 9
 _NAMES_THINGS = ("garments", "accessories", "generic")
 _WHOLE_KINDS = frozenset({"dress", "jumpsuit", "playsuit"})
@@ -331,16 +324,6 @@ _WHOLE_KINDS = frozenset({"dress", "jumpsuit", "playsuit"})
 _LOWER_KINDS = frozenset({"skirt", "trousers", "shorts"})
 _BARE_SHOULDERS = Claim("shoulders", "strapless")
 """Where a word makes this no more than usual, as a heart does, sleeves that are named cover them."""
-_CLOSE_HIPS = Claim("hips", "close")
-_ROOMY = frozenset(
-    {
-        *[Claim("skirt", value) for value in ("gathered", "circle", "flared", "half circle", "a-line")],
-        *[Claim("fit", value) for value in ("loose", "oversized")],
-    }
-)
-_HIPS = re.compile(r"\bhips?\b|\bbum|bottom|\bseat\b|curv|hug|cling|tight|fitted", re.IGNORECASE)
-_TIERS = frozenset({Claim("skirt", "tiered"), Claim("skirt", "gathered tiers")})
-_POINTED = Claim("hem_shape", "pointed")
 _TOPICS = {
     "leg_width_cm": "legs",
     "sleeve_width_cm": "sleeve_shape",
@@ -349,45 +332,6 @@ _TOPICS = {
     "inseam_cm": "leg_hem",
 }
 """What measures speak of in figures."""
-
-
-def _without_guesses(text: str, found: Iterable[Wish], words: WordReading) -> tuple[Wish, ...]:
-    """Without what only a network reads and no word of the text can mean.
-
-    Turned-up and frayed ends are no bands, a bow at the back is no slit there, of the hips of tops nothing
-    is said unless a word names them, and no gathered skirt or loose dress is close there.
-    """
-    lacking = {lack.what for lack in words.lacks}
-    implied = {i.claim for i in words.implications}
-    certain = {i.claim for i in words.implications if i.certainty == "certain"}
-    kinds = {i.claim.value for i in words.implications if i.claim.name == "kind"}
-    kept = []
-    for wish in found:
-        claim = wish.change.claim if isinstance(wish.change, Gain) else None
-        tied = claim is not None and claim.name == "waist_seam" and "belt" in lacking
-        if tied and _LOOSE in implied and claim not in certain:
-            continue  # a belt over loose cloth
-        if claim is not None and claim not in implied:
-            if claim in _SHORT_SLEEVES and _LONG_SLEEVES in implied and is_short_itself(text):
-                continue  # "a robe, short, with lace sleeves"
-            if claim.name in ("leg_cuffs", "leg_cuff_cm") and not lacking.isdisjoint(_UNCUFFED):
-                continue
-            if claim.name == "hips" and kinds == {"top"}:
-                continue
-            if claim == _CLOSE_HIPS and not _ROOMY.isdisjoint(implied) and not _HIPS.search(text):
-                continue
-            if claim.name == "hem_shape" and "curved_hem" in lacking:  # level but for its sides
-                continue
-            if claim.name == "waist_seam" and not (words.unknown or _WAISTS.search(text)):
-                continue
-            if claim in _TIERS and ("second_layer" in lacking or _POINTED in implied):  # layers of cloth
-                continue
-            if claim.name == "slit" and "lacing" in lacking and not _SLITS.search(text):  # a laced front
-                continue
-            if claim.name == "slit" and wish.certainty < SURE and not (words.unknown or _SLITS.search(text)):
-                continue
-        kept.append(wish)
-    return tuple(kept)
 
 
 def _is_outdone(wish: Wish, said: Sequence[Claim], never: Sequence[Claim]) -> bool:
