@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from swifttailor.garment.garment import Garment
 
 _BELT_LIFT, _BELT_SIDES, _BELT_REACH = 0.5, 96, 2.5
-_BEYOND_CM = 1.0
+_BEYOND_CM = 0.3
 """Cloth so far above and below a belt lies inside of it as well, cm."""
 _KEEPS_TO = 0.002
 """By how much narrower, per cm, the cloth must be elsewhere for a belt to slip there."""
@@ -53,7 +53,7 @@ def belt_meshes(garment: Garment, belt: Belt) -> list[TrimMesh]:
     edges = np.concatenate([np.stack([row, np.roll(row, -1)], axis=1) for row in (grid[0], grid[-1])])
     look = "leather" if belt.trim == "buckle belt" else "cloth"
     band = TrimMesh(belt.trim, look, vertices, faces, edges)
-    front = vertices[grid[1, np.argmax(rows[1][:, 1])]]
+    front = vertices[grid[1, 0]]
     if belt.trim == "buckle belt":
         return [band, _buckle(belt, front)]
     if belt.trim in _TIED_BEHIND:
