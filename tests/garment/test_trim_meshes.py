@@ -149,10 +149,10 @@ def test_a_belt_goes_around_the_cloth_and_is_closed(name, trim):
         assert ring.is_valid
         trunk = [body_region(p.name, p.label) != "arm" for p in garment.pattern.panels]
         points = garment.flat_positions[np.array(trunk)[garment.mesh.flat_panel]]
-        level = points[np.abs(points[:, 1] - y) <= 1.0][:, [0, 2]]
+        level = points[np.abs(points[:, 1] - y) <= 0.3][:, [0, 2]]
         found += len(level)
         assert shapely.contains_xy(ring, level).all()
-    assert found > 60
+    assert found > 15
 
 
 def test_a_pocket_follows_the_print_below_it():

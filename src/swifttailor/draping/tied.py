@@ -11,7 +11,7 @@ from swifttailor.arrays import Array, Floats, Ints
 from swifttailor.body import Body
 from swifttailor.draping.simulation import Simulation
 
-_ROOM_CM, _ABOVE_CM = 1.0, 0.6
+_ROOM_CM, _ABOVE_CM = 1.0, 1.3
 """How far off the body a belt lies, and how far above and below it cloth is drawn in with it, cm."""
 _TIGHT_AFTER = 0.6
 """In this part of the time a belt is drawn tight; afterwards cloth settles in it."""

@@ -17,7 +17,8 @@ if TYPE_CHECKING:
     from swifttailor.garment.garment import Garment
 
 _BELT_LIFT, _BELT_SIDES, _BELT_REACH = 0.5, 96, 2.5
-_LEAST_REACH = 1.5
+_BEYOND_CM = 0.3
+"""Cloth so far above and below a belt lies inside of it as well, cm."""
 _KEEPS_TO = 0.002
 """By how much narrower, per cm, the cloth must be elsewhere for a belt to slip there."""
 _WAISTED = 0.97
@@ -33,7 +34,7 @@ def belt_meshes(garment: Garment, belt: Belt) -> list[TrimMesh]:
     """A band stretched around the cloth at its height, with what closes it in front."""
     heights = belt_height(garment, belt) + belt.width * np.array([-0.5, 0.0, 0.5])
     if belt.reach:  # cloth that is tied stands out above and below, and the belt does not
-        rings = [_around(garment, heights[1], max(0.4 * belt.width, _LEAST_REACH))] * len(heights)
+        rings = [_around(garment, heights[1], 0.5 * belt.width + _BEYOND_CM)] * len(heights)
     else:
         rings = [_around(garment, height) for height in heights]
     if any(ring is None for ring in rings):
@@ -52,7 +53,7 @@ def belt_meshes(garment: Garment, belt: Belt) -> list[TrimMesh]:
     edges = np.concatenate([np.stack([row, np.roll(row, -1)], axis=1) for row in (grid[0], grid[-1])])
     look = "leather" if belt.trim == "buckle belt" else "cloth"
     band = TrimMesh(belt.trim, look, vertices, faces, edges)
-    front = vertices[grid[1, np.argmax(rows[1][:, 1])]]
+    front = vertices[grid[1, 0]]
     if belt.trim == "buckle belt":
         return [band, _buckle(belt, front)]
     if belt.trim in _TIED_BEHIND:
@@ -70,7 +71,7 @@ def under_a_belt(belts: Mapping[str, Belt], garment: Garment, button: TrimMesh) 
 def on_a_belt(garment: Garment, belt: Belt, at: Array) -> Array:
     """(3,) the place on a belt that is nearest to one on the cloth, where its bow is tied."""
     height = belt_height(garment, belt)
-    ring = _around(garment, height, max(0.4 * belt.width, _LEAST_REACH))
+    ring = _around(garment, height, 0.5 * belt.width + _BEYOND_CM)
     if ring is None:
         return at
     x, z = ring[np.linalg.norm(ring - at[[0, 2]], axis=1).argmin()]
