@@ -49,7 +49,6 @@ _ELSE = {
     "top width": ("skirt hem", "chest"),
     "skirt hem": ("top width",),
     "waistband width": ("chest",),
-    "sleeve end": ("cuff opening",),
     "cuff opening": ("sleeve end",),
 }
 """What is meant where a garment has no such measure: of a tunic with a skirt the hem of that."""
@@ -74,7 +73,8 @@ def made_where_lacking(change: Change, facts: GarmentFacts) -> Change:
     if not isinstance(change, Step):
         return change
     if QUANTITIES[change.quantity].of(facts) is None:
-        for other in _ELSE.get(change.quantity, ()):
+        tighter = change.direction < 0 and change.quantity == "sleeve end"
+        for other in ("cuff opening",) if tighter else _ELSE.get(change.quantity, ()):
             if QUANTITIES[other].of(facts) is not None:
                 return replace(change, quantity=other)
     if change.direction > 0 and change.amount and change.quantity in _COUNTED:
