@@ -115,8 +115,8 @@ class PictureReader:
     photograph_head: Callable[[], PhotographHead] | None = None
     """Gives another that tells photographs from drawings, where the one in `shop` sees a drawing."""
     laid_heads: Callable[[], LaidHeads] | None = None
-    """Gives what has seen nothing but photographs, and tells a few claims of what this network reads; of that
-    for garments that nobody wears."""
+    """Gives what has seen nothing but photographs, and tells a few claims of what this network reads in such;
+    of that for garments that nobody wears."""
     parameters: tuple[ReadParameter, ...] = ()
     """Design parameters that it reads."""
     near_designs: bool = False
@@ -223,7 +223,9 @@ class PictureReader:
         laid = nearer is self and self.laid is not None and self.laid()._knows(pixels, whole, LEAST_LAID)
         looks_real = self._looks_real(pixels, whole)
         if laid and self.laid is not None and not surely_somebody(pixels, self.people):
-            return replace(self.laid().read(pixels), is_laid=True, is_photograph=looks_real())
+            real, reader = looks_real(), self.laid()
+            reader = reader if real else replace(reader, laid_heads=None)
+            return replace(reader.read(pixels), is_laid=True, is_photograph=real)
         is_photograph = False
         if nearer is self and self.shop is not None:
             of_all = self.shop().at_frames((pixels, whole))
