@@ -36,8 +36,8 @@ _TOWARDS: Mapping[tuple[str, str], tuple[str, int]] = {
 }
 
 
-_PARTS = (0.75, 0.5, 0.3, 0.15)
-"""How much of a step is tried that cannot be done in full."""
+_PARTS, _LESS = (0.75, 0.5), (0.3, 0.15)
+"""How much of a step is tried that cannot be done in full; still less where something is to shrink."""
 
 
 def towards(open_wishes: Sequence[Change], asked: Sequence[Change]) -> list[Step]:
@@ -51,7 +51,8 @@ def towards(open_wishes: Sequence[Change], asked: Sequence[Change]) -> list[Step
     found = []
     for wish in open_wishes:
         if isinstance(wish, Step) and wish.amount is not None:
-            found += [Step(wish.quantity, wish.direction, round(part * wish.amount, 2)) for part in _PARTS]
+            parts = (*_PARTS, *_LESS) if wish.direction < 0 else _PARTS
+            found += [Step(wish.quantity, wish.direction, round(part * wish.amount, 2)) for part in parts]
             continue
         way = _TOWARDS.get((wish.claim.name, str(wish.claim.value))) if isinstance(wish, Gain) else None
         if way is not None and way[0] not in told:
