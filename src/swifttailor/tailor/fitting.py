@@ -302,7 +302,7 @@ def _changes_others(written: Alteration, wanted: Wanted) -> bool:
 
 
 def _is_remade(edit: Pattern, recut: Alteration, before: GarmentFacts | None) -> bool:
-    """Whether it has become another kind of garment, and not by what was taken off, nor by legs sewn to its bodice."""
+    """Whether it has become another kind, and not by what was taken off, nor by legs sewn to its bodice."""
     if before is not None and before.torso and recut.facts.torso and recut.facts.trousers:
         return False
     is_other = any(isinstance(c, Gain) and c.claim.name == "kind" for c in recut.done)
