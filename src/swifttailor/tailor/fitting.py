@@ -300,8 +300,8 @@ def _changes_others(written: Alteration, wanted: Wanted) -> bool:
 
 
 def _is_remade(edit: Pattern, recut: Alteration, before: GarmentFacts | None) -> bool:
-    """Whether it has become another kind of garment, and not by what was taken off, nor with its bodice."""
-    if before is not None and before.torso is not None and recut.facts.torso is not None:
+    """Whether it has become another kind, and not by what was taken off, nor by legs sewn to its bodice."""
+    if before is not None and before.torso and recut.facts.torso and recut.facts.trousers:
         return False
     is_other = any(isinstance(c, Gain) and c.claim.name == "kind" for c in recut.done)
     return is_other and len(recut.pattern.panels) >= len(edit.panels)
