@@ -27,7 +27,8 @@ def tailor(tmp_path, sewer):
     [
         ("skinny jeans", "jeans", 6),
         ("leggings", "leggings", 6),
-        ("a bathrobe", "robe", 8),
+        ("a bathrobe", "coat", 16),
+        ("a kimono robe", "robe", 8),
         ("a kaftan", "kaftan", 8),
         ("a crop top with spaghetti straps", "camisole", 4),
         ("ein Faltenrock", "pleated-skirt", 24),

@@ -153,13 +153,13 @@ def test_garments_that_nobody_can_wear_are_the_last_to_be_taken():
 
 def test_every_second_attempt_is_asked_in_words_that_were_taught():
     shirt = swifttailor.draft("t-shirt")
-    wishes = Wish(Gain(Claim("kind", "jumpsuit")), 0.95), Wish(Gain(Claim("sleeves", "none")), 0.95)
+    wishes = Wish(Gain(Claim("kind", "skirt")), 0.95), Wish(Gain(Claim("skirt", "pencil")), 0.95)
     maker = Listening(shirt, shirt, shirt)
-    answer(maker, Order("a bleu jumpsut without slevees", attempts=3, source="writer"), Reading(*wishes))
-    assert maker.asked[0] == maker.asked[2] == "a bleu jumpsuit without sleeves"
-    assert "jumpsuit" in maker.asked[1].lower()
+    answer(maker, Order("a bleu pencill skrit", attempts=3, source="writer"), Reading(*wishes))
+    assert maker.asked[0] == maker.asked[2] == "a bleu pencil skirt"
+    assert "skirt" in maker.asked[1].lower()
     assert "bleu" not in maker.asked[1]
     picture = Listening(shirt, shirt)
     image = np.full((8, 8, 3), 200, np.uint8)
-    answer(picture, Order("a jumpsuit", image, attempts=2, source="writer"), Reading(*wishes))
-    assert picture.asked == ["a jumpsuit", "a jumpsuit"]
+    answer(picture, Order("a pencil skirt", image, attempts=2, source="writer"), Reading(*wishes))
+    assert picture.asked == ["a pencil skirt", "a pencil skirt"]

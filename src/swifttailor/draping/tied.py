@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 from scipy.spatial import ConvexHull, QhullError
 
 from swifttailor.arrays import Array, Floats, Ints
 from swifttailor.body import Body
-from swifttailor.draping.simulation import Simulation
+
+if TYPE_CHECKING:
+    from swifttailor.draping.simulation import Simulation
 
 _ROOM_CM, _ABOVE_CM = 1.0, 1.3
 """How far off the body a belt lies, and how far above and below it cloth is drawn in with it, cm."""

@@ -7,15 +7,18 @@ shirts would have a collar below their shoulders.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 from scipy.spatial import KDTree
 
 from swifttailor.arrays import Bools, Floats, Ints
 from swifttailor.body import Body
-from swifttailor.draping.simulation import Simulation
 from swifttailor.garment_sewer.pixels.body_distance import BodyDistance
 from swifttailor.panel_mesh.pattern_mesh import PatternMesh
+
+if TYPE_CHECKING:
+    from swifttailor.draping.simulation import Simulation
 
 _COLLAR, _FALL = "collar", "collar_fall"
 _ABOVE_CM = 0.45

@@ -10,8 +10,8 @@ from swifttailor.pattern.trims.shapes import Belt, Bow, Trim
 
 _BAND, _SLIPS = 3.0, 3.0
 """Width of the band, and how far from the waist of the pattern that of the sewn garment may be, cm."""
-_AT = 0.5
-"""Where the bow is, as a part of half the front."""
+_AT = 0.5, 0.62
+"""Where the bow is, as a part of half the front; the second where the edge of a front lies at the first."""
 _BOW, _ENDS = 11.0, 20.0
 """Width of the bow, and how long its ends are, cm."""
 _ABOVE_HEM, _BELOW_ARMHOLE = 2.0, 12.0
@@ -28,10 +28,10 @@ def side_tie(chalk: Chalk, name: str) -> list[Trim]:
         span = view.span(y)
         if span is None or span[1] < 6.0 * chalk.size or y > view.high - _BELOW_ARMHOLE * chalk.size:
             continue
-        at = (_AT * span[1], y)
-        if not view.holds([at]):
+        at = next(([(part * span[1], y)] for part in _AT if view.holds([(part * span[1], y)])), None)
+        if at is None:
             continue
-        u, v = view.local([at])[0].tolist()
+        u, v = view.local(at)[0].tolist()
         bow = Bow(name, panel, (u, v), _BOW * chalk.size, _ENDS * chalk.size)
         around = [each for each in belt(chalk, name) if isinstance(each, Belt)]
         band = [replace(one, width=_BAND * chalk.size, reach=_SLIPS * chalk.size) for one in around]
