@@ -153,10 +153,10 @@ def test_garments_that_nobody_can_wear_are_the_last_to_be_taken():
 
 def test_every_second_attempt_is_asked_in_words_that_were_taught():
     shirt = swifttailor.draft("t-shirt")
-    wishes = Wish(Gain(Claim("kind", "skirt")), 0.95), Wish(Gain(Claim("skirt", "pencil")), 0.95)
+    wishes = Wish(Gain(Claim("kind", "skirt")), 0.95), Wish(Gain(Claim("skirt", "gathered")), 0.95)
     maker = Listening(shirt, shirt, shirt)
-    answer(maker, Order("a bleu pencill skrit", attempts=3, source="writer"), Reading(*wishes))
-    assert maker.asked[0] == maker.asked[2] == "a bleu pencil skirt"
+    answer(maker, Order("a bleu gatherd skrit with a slit", attempts=3, source="writer"), Reading(*wishes))
+    assert maker.asked[0] == maker.asked[2] == "a bleu gathered skirt with a slit"
     assert "skirt" in maker.asked[1].lower()
     assert "bleu" not in maker.asked[1]
     picture = Listening(shirt, shirt)

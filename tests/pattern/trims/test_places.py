@@ -420,13 +420,18 @@ def test_a_belt_is_at_the_waist(drafts):
 
 
 def test_follows_a_longer_pattern(drafts):
-    """Rows of buttons reach to the hem."""
+    """Rows of buttons reach to the hem; those of coats end at the thigh."""
 
     def lowest(length: float) -> float:
-        pattern = replace(draft("shift-dress", length=length), trims=("buttons",))
+        pattern = replace(draft("shift-dress", length=length), trims=("button placket",))
         return min(float(seen(pattern, t)[:, 1].min()) for t in place_trims(pattern) if isinstance(t, Button))
 
     assert lowest(62) < lowest(40) - 15
+    coats = [replace(draft("coat", length=length), trims=("buttons",)) for length in (60, 72)]
+    ends = [
+        min(float(seen(c, t)[:, 1].min()) for t in place_trims(c) if isinstance(t, Button)) for c in coats
+    ]
+    assert ends[0] == pytest.approx(ends[1], abs=1.0)
 
 
 def test_never_raises_for_known_patterns(garmentcode_folder):
