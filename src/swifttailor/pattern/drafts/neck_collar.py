@@ -107,7 +107,7 @@ class NeckCollar:
             loose = TurnedCollar(_LOOSE_STAND * self.height, self.height, _LOOSE_FLARE_CM, points=None)
             lay_turned_collar(table, figure, loose)
         elif self.shape in ("standing", "mandarin"):
-            lay_stand_collar(table, figure, self.height, split=self.shape == "mandarin")
+            lay_stand_collar(table, figure, self.height, split=self.shape == "mandarin", away=True)
         elif self.shape == "hood":
             lay_hood(table, figure, _HOOD)
         elif self.shape == "revers":

@@ -33,7 +33,9 @@ def lean(height: float, long: float) -> float:
     return min(_LEAN * height, _NARROWEST * long)
 
 
-def lay_stand_collar(table: CuttingTable, figure: Figure, height: float, *, split: bool = False) -> None:
+def lay_stand_collar(
+    table: CuttingTable, figure: Figure, height: float, *, split: bool = False, away: bool = False
+) -> None:
     """Lays ``left_collar_front`` and ``left_collar_back`` and sews them to the left neckline.
 
     Args:
@@ -41,9 +43,11 @@ def lay_stand_collar(table: CuttingTable, figure: Figure, height: float, *, spli
         figure: The body.
         height: cm.
         split: Whether it is open in the middle of the front, with rounded corners.
+        away: Whether what would cover the chin stands away from the neck.
     """
     quarters = [table.length(f"{torso}.neck") for torso in ("left_ftorso", "left_btorso")]
-    closer = lean(height, min(quarters)) if height <= _TO_THE_CHIN else -_AWAY * height
+    tall = away and height > _TO_THE_CHIN
+    closer = -_AWAY * height if tall else lean(height, min(quarters))
     upright = math.sqrt(height**2 - closer**2)  # the slanting ends are as long as it is high
     for face, torso, long in zip(("front", "back"), ("left_ftorso", "left_btorso"), quarters, strict=True):
         outline = Outline(0.0, 0.0).line("neck", long, 0.0)

@@ -93,12 +93,9 @@ def welt_pockets(chalk: Chalk, name: str) -> list[Trim]:
         edge = max(sign * span[0], sign * span[1])
         outer, width = min(12.5 * s, edge - 7.5 * s), 13 * s
         if _DOUBLE_ROWS in chalk.pattern.trims:  # beside the rows of buttons, not below them
-            outer, width = (
-                (edge - 1.0 * s + _BESIDE_ROWS * s) / 2,
-                min(edge - (_BESIDE_ROWS + 1.0) * s, 13 * s),
-            )
-        if width < _LEAST_WELT * s:
-            return []
+            room = min(edge - (_BESIDE_ROWS + 1.0) * s, 13 * s)
+            if room >= _LEAST_WELT * s:
+                outer, width = (edge - 1.0 * s + _BESIDE_ROWS * s) / 2, room
         found = chalk.pocket(name, f"{side}_ftorso", (sign * outer, top), width, 2.2 * s)
         if not found:
             return []
