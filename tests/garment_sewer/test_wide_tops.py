@@ -15,7 +15,7 @@ def sewer():
 
 
 def test_wide_tops_fall_for_longer(sewer):
-    sewn = sewer.sew(draft("t-shirt", chest_ease=30.0, length=32.0), edge_length=3.0)
+    sewn = sewer.sew(draft("t-shirt", chest_ease=30.0, length=32.0, flare=15.0), edge_length=3.0)
     fallen = relaxed(sewn)
     assert fallen.report["relaxed_frames"] == WIDE_FRAMES
     low = np.argsort(fallen.vertices[:, 1])[:40]
