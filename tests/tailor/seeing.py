@@ -44,9 +44,10 @@ class Seeing:
         cells: SeenCells | None = None,
         is_plain: bool = False,
         is_photograph: bool = False,
+        is_laid: bool = False,
         azimuth: float = 0.0,
     ) -> None:
-        self.is_photograph = is_photograph
+        self.is_photograph, self.is_laid = is_photograph, is_laid
         self.cells, self.is_plain, self.camera = cells, is_plain, Camera(azimuth=azimuth)
         self.card = {"model": "PictureReader", "parameters": 5}
         self.readings, self.figures = list(readings), figures
@@ -63,4 +64,4 @@ class Seeing:
             found.append(replace(part, mask=mask, cells=self.cells))
         box = 0, 0, width, height
         read = PictureReading(tuple(found), self.camera, box, self.figures, 0.9, self.is_plain)
-        return replace(read, is_photograph=self.is_photograph)
+        return replace(read, is_photograph=self.is_photograph, is_laid=self.is_laid)

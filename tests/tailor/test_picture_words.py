@@ -104,8 +104,8 @@ def test_every_kind_can_be_said_and_is_heard_again():
 
 @pytest.fixture
 def asked(sewer):
-    def asked(said, *, is_photograph=True):
-        eyes = Seeing((seen("upper", said),), is_photograph=is_photograph)
+    def asked(said, *, is_photograph=True, is_laid=False):
+        eyes = Seeing((seen("upper", said),), is_photograph=is_photograph, is_laid=is_laid)
         return Tailor(scripted_maker([draft("t-shirt")]), sewer, picture_reader=eyes)
 
     return asked
@@ -120,6 +120,12 @@ def test_a_photograph_is_made_of_its_words(asked):
     assert asked_for and all(wish["from"] == "picture" for wish in asked_for)
     drawn = asked(HOODIE, is_photograph=False).generate(image=PHOTO)
     assert not drawn.answer.draft and not any("put into words" in note for note in drawn.notes)
+
+
+@pytest.mark.parametrize(("is_laid", "words"), [(False, "loose hoodie"), (True, "hoodie")])
+def test_how_close_clothes_are_is_not_seen_on_a_floor(asked, is_laid, words):
+    made = asked(HOODIE | {"fit": ("loose", 0.9)}, is_laid=is_laid).generate(image=PHOTO)
+    assert f"The picture was put into words: {words}." in made.notes
 
 
 def test_words_outrank_a_photograph(asked):

@@ -31,6 +31,8 @@ _UNREAD = (
     "reader, so nothing was altered to it."
 )
 _NOT_READ = "A garment in a picture can be chosen only where patterns are altered: leave part out."
+_UNSEEN_OF_LAID = frozenset({"fit"})
+"""How close clothes are is not seen where nobody wears them: whatever lies flat is wide."""
 _FRAMING_NOTES = {
     Framing.KEPT: (),
     Framing.CROPPED: ("The picture was cropped to its figure: the background is plain.",),
@@ -120,6 +122,8 @@ def _put_into_words(
 ) -> Wanted:
     """An order whose pictures are photographs, as if their words had been typed beside the text."""
     names = frozenset(w.change.claim.name for w in gone if isinstance(w.change, Gain))
+    if any(picture.reading.is_laid for picture in pictures):
+        names |= _UNSEEN_OF_LAID
     worn = (other for picture in pictures for other in picture.reading.parts)
     words = in_words(part, names, named=named, over=over_trousers(part, worn))
     typed = [order.text.strip().rstrip(".,"), words] if named else [words, order.text.strip()]
