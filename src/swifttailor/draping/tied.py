@@ -10,6 +10,7 @@ from scipy.spatial import ConvexHull, QhullError
 
 from swifttailor.arrays import Array, Floats, Ints
 from swifttailor.body import Body
+from swifttailor.garment.hull_reach import hull_reach
 
 if TYPE_CHECKING:
     from swifttailor.draping.simulation import Simulation
@@ -95,8 +96,5 @@ def _reaches(points: Floats, middle: Array) -> Array | None:
     except (QhullError, ValueError):
         return None
     angle = np.arange(_SIDES) * (2 * np.pi / _SIDES)
-    along = np.stack([np.sin(angle), np.cos(angle)], axis=1) @ hull.equations[:, :2].T
-    room = -(hull.equations[:, :2] @ middle + hull.equations[:, 2])
-    if (room <= 0.0).any():
-        return None
-    return np.where(along > 1e-9, room / np.where(along > 1e-9, along, 1.0), np.inf).min(axis=1)
+    reach = hull_reach(hull, middle, np.stack([np.sin(angle), np.cos(angle)], axis=1))
+    return None if (hull.equations @ np.append(middle, 1.0) >= 0.0).any() else reach

@@ -9,6 +9,7 @@ import numpy as np
 from scipy.spatial import ConvexHull, QhullError
 
 from swifttailor.arrays import Array
+from swifttailor.garment.hull_reach import hull_reach
 from swifttailor.garment.trim_pieces import TrimMesh, ball, front_of
 from swifttailor.garment.trunk_cloth import around_trunk
 from swifttailor.pattern.trims.shapes import Belt
@@ -158,7 +159,4 @@ def _around(garment: Garment, height: float, near_by: float = _BELT_REACH) -> Ar
     middle = near[hull.vertices].mean(axis=0)
     angle = np.arange(_BELT_SIDES) * (2 * np.pi / _BELT_SIDES)
     ways = np.stack([np.sin(angle), np.cos(angle)], axis=1)
-    along = ways @ hull.equations[:, :2].T
-    room = -(hull.equations[:, :2] @ middle + hull.equations[:, 2])
-    reach = np.where(along > 1e-9, room / np.where(along > 1e-9, along, 1.0), np.inf).min(axis=1)
-    return middle + (reach + _BELT_LIFT)[:, None] * ways
+    return middle + (hull_reach(hull, middle, ways) + _BELT_LIFT)[:, None] * ways

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from swifttailor.arrays import Array, Floats
+from swifttailor.garment.hull_reach import hull_reach
 from swifttailor.garment.trim_pieces import TrimMesh
 from swifttailor.garment.trunk_cloth import around_trunk
 from swifttailor.pattern.trims.shapes import Layer
@@ -252,10 +253,7 @@ def _reach(garment: Garment, heights: Floats, behind: Floats) -> tuple[Floats, F
             continue
         if axis is None:
             axis = near[hull.vertices].mean(axis=0)
-        along = ways @ hull.equations[:, :2].T
-        room = -(hull.equations[:, :2] @ axis + hull.equations[:, 2])
-        far = np.where(along > 1e-9, room / np.where(along > 1e-9, along, 1.0), np.inf).min(axis=1)
-        rows.append(np.maximum(far, 0.0))
+        rows.append(np.maximum(hull_reach(hull, axis, ways), 0.0))
     known = [k for k, row in enumerate(rows) if row is not None]
     if axis is None or not known:
         return None

@@ -12,6 +12,7 @@ from scipy.spatial import ConvexHull
 
 from swifttailor.arrays import Floats
 from swifttailor.body import Body
+from swifttailor.garment.hull_reach import hull_reach
 from swifttailor.panel_mesh.pattern_mesh import PatternMesh
 from swifttailor.pattern import EdgeRef, Pattern
 from swifttailor.pattern.panel import Panel
@@ -212,10 +213,7 @@ class _Oval:
             middle = (corners.min(axis=0) + corners.max(axis=0)) / 2
         angle = _angles()
         ways = np.stack([np.sin(angle), np.cos(angle)], axis=1)
-        along = ways @ hull.equations[:, :2].T
-        room = -(hull.equations[:, :2] @ middle + hull.equations[:, 2])
-        reach = np.where(along > 1e-9, room / np.where(along > 1e-9, along, 1.0), np.inf).min(axis=1)
-        return middle, np.maximum(reach, 0.0)
+        return middle, np.maximum(hull_reach(hull, middle, ways), 0.0)
 
 
 def _angles() -> Floats:

@@ -204,8 +204,9 @@ class PictureReader:
 
         It is looked at whole for where the wearer is, then near each garment, and at last near its details;
         in a picture like those of GarmentCodeData, from near by networks as well that have learnt from no
-        others. Garments that nobody wears are read by a network that knows nothing else. Where all those say
-        that it is not for them, what people seldom wear is believed less (`as_people_wear`).
+        others. Garments that nobody wears are read by a network that knows nothing else, in photographs with
+        another beside it (`laid_heads`); people in photographs are cut out first (`photographed`). Where all
+        those say that it is not for them, what people seldom wear is believed less (`as_people_wear`).
 
         Args:
             pixels: (h, w, 3) sRGB, row 0 at the top.

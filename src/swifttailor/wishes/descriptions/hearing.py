@@ -308,14 +308,6 @@ def _within_names(network: Sequence[Wish], words: WordReading) -> list[Wish]:
 
 
 _BESIDE = re.compile(r"\b(?:something|anything|outfit|with|over|under\w*|like|match\w*|for)\b", re.IGNORECASE)
-_SHORT = re.compile(r"(?<![\w-])short(?![\w-])", re.IGNORECASE)
-_SLEEVES_CUT = re.compile(
-    r"short\w*(?:[ -][\w'-]+){0,2}[ -](?:sleeve|arm)"
-    r"|sleeve[^,.;]*(?:short|small|little|elbow|half|cap|roll|cut)"
-    r"|cap(?!\w)|elbow|half|quarter|upper arms?|roll|t[- ]?shirt|cut off|sleeveless|bare",
-    re.IGNORECASE,
-)
-"""What may make sleeves short that are usually long; "short" by itself is said of the hem."""
 _BARE_ARMS = Claim("sleeves", "none")
 _FEW_WORDS, _NO_STORY = 5, 9
 _NAMES_THINGS = ("garments", "accessories", "generic")

@@ -68,7 +68,7 @@ _BARE, _STAND, _TURTLENECK = Claim("shoulders", "strapless"), Claim("collar", "s
 _HIGH = Claim("neck_depth", "high")
 _BARE_BACK = Claim("back_depth", "open")
 _BARE_BACKS = frozenset({_BARE_BACK, Claim("back_depth", "low")})
-_COLLAR, _OF_COLLARS = "collar", ("collar", "collar_width", "collar_height", "neck_depth")
+_OF_COLLARS = ("collar", "collar_width", "collar_height", "neck_depth")
 _OF_DETAILS: Mapping[str, tuple[str, ...]] = {
     "coat": ("flare", "lapels", "lapel_width", "collar_width", "collar"),
     "blazer": ("lapels", "lapel_width", "collar_width"),

@@ -211,9 +211,6 @@ class Entry:
         return frozenset([str(i.claim.value) for i in self.implied if i.claim.name == "kind"])
 
 
-_NOTHING: Mapping[str, tuple[str, ...]] = {}
-
-
 def entry_of(row: Row, cannot: Mapping[str, str], known_of: frozenset[str]) -> Entry:
     """The entry of a row.
 
