@@ -12,7 +12,7 @@ from swifttailor.garment.cloth_color import cloth_color
 from swifttailor.garment.cloth_print import cloth_at
 from swifttailor.garment.collar_lines import is_of_collar, seams_within_collars
 from swifttailor.garment.double_breasted import seams_under_a_front
-from swifttailor.garment.princess_lines import darts_in_princess_seams
+from swifttailor.garment.princess_lines import seams_in_princess_seams
 from swifttailor.garment.trim_colors import DARKEST, is_dark
 from swifttailor.pattern.centre_seams import needless_centre_seams
 from swifttailor.render.color import GREY, Color, to_linear
@@ -269,7 +269,7 @@ def _seam_edges(garment: Garment, as_worn: bool) -> Array:
     if as_worn:
         needless = frozenset(needless) | seams_within_collars(garment.pattern)
         needless |= seams_under_a_front(garment.pattern)
-        needless |= darts_in_princess_seams(garment.pattern)
+        needless |= seams_in_princess_seams(garment.pattern)
     parts = [
         np.stack([s.vertices[:-1], s.vertices[1:]], axis=1)
         for s in garment.seams

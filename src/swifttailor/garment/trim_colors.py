@@ -69,6 +69,7 @@ _SOFT = (
     "shoulder pleats",
     "back pleat",
     "box pleats",
+    "kick pleat",
     "neck gathers",
     "shoulder gathers",
     "bust gathers",

@@ -43,6 +43,13 @@ def princess_seams(chalk: Chalk, name: str) -> list[Trim]:
     return pieces
 
 
+def princess_panels(chalk: Chalk, name: str) -> list[Trim]:
+    """The same of dresses that have no waist seam: on bodice and skirt, or nowhere."""
+    pieces = princess_seams(chalk, name)
+    upper = any("torso" in panel for panel in chalk.views)
+    return pieces if upper and any(piece.panel.startswith("skirt") for piece in pieces) else []
+
+
 def yoke(chalk: Chalk, name: str) -> list[Trim]:
     """A seam across chest and upper back; of skirts around the hips, of trousers behind."""
     if any(f"{side}_ftorso" in chalk.views for side, _ in _SIDES):

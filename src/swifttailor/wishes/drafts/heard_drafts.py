@@ -43,11 +43,13 @@ from swifttailor.wishes.drafts.said_details import with_details
 from swifttailor.wishes.drafts.sailor_collars import asks_for_sailor_collar, with_sailor_collar
 from swifttailor.wishes.drafts.shirt_collars import with_shirt_collar
 from swifttailor.wishes.drafts.short_flounces import short_flounce_as_asked
+from swifttailor.wishes.drafts.slight_flares import slightly_flared_as_said
 from swifttailor.wishes.drafts.straight_edges import straight_as_said
 from swifttailor.wishes.drafts.swimsuits_as_asked import on_a_halter
 from swifttailor.wishes.drafts.tiers_as_asked import tiers_as_asked
 from swifttailor.wishes.drafts.tops_to_the_legs import is_long_top, to_the_legs_as_said
 from swifttailor.wishes.drafts.wound_skirts import wound_as_asked
+from swifttailor.wishes.drafts.yoked_skirts import yoke_as_asked
 from swifttailor.wishes.text.flare_starts import flare_as_said
 from swifttailor.wishes.text.tier_heights import tier_as_said
 from swifttailor.wishes.trims.button_counts import closed_as_counted
@@ -144,6 +146,8 @@ def drafts_of(heard: Heard) -> tuple[NamedDraft, ...]:
     fitting = [bubble_as_asked(draft, heard.lacks, sure) for draft in fitting]
     fitting = [wrapped_close_as_asked(draft, sure) for draft in wound_as_asked(fitting, sure)]
     fitting = [pleats_as_asked(draft, heard.lacks, sure) for draft in fitting]
+    fitting = [slightly_flared_as_said(draft, heard.text) for draft in fitting]
+    fitting = [yoke_as_asked(draft, lacks, heard.text) for draft in fitting]
     fitting = [huge_as_said(tier_as_said(draft, heard.text), heard.text) for draft in fitting]
     wanted = {lack.what for lack in heard.lacks if lack.said}
     opened = [opened_as_asked(closed_as_counted(d, heard.text), sure, wanted) for d in fitting]
