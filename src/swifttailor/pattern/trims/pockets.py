@@ -42,6 +42,10 @@ def _on_breasts(chalk: Chalk, name: str, x: float, below: float, both: bool) -> 
     return pieces
 
 
+_SKIRT, _WIDE, _OF_WIDE = "skirt_front", 31.0, 0.36
+"""Half of a skirt's front that is wider than a body, cm, and where its pockets lie then, as a part of it."""
+
+
 def patch_pockets(chalk: Chalk, name: str) -> list[Trim]:
     """At the hips, or lower where the waist is; one on each side."""
     s = chalk.size
@@ -65,7 +69,9 @@ def patch_pockets(chalk: Chalk, name: str) -> list[Trim]:
             return []
         width, height = 14 * s, min(15.5 * s, top - view.low - 4)
         outer = max(sign * span[0], sign * span[1])
-        x = sign * min(12.0 * s, outer - width / 2 - 1.2)
+        # Gathers draw what lies beside the middle of a wide skirt together.
+        beside = _OF_WIDE * outer if panel == _SKIRT and outer > _WIDE * s else 12.0 * s
+        x = sign * min(beside, outer - width / 2 - 1.2)
         if height < 8 * s or sign * x - width / 2 < 0.8:
             return []
         found = chalk.pocket(name, panel, (x, top), width, height)

@@ -127,6 +127,9 @@ class GatheredSkirtOptions:
     band_height: declared.BandHeight = 4.0
     waist_ease: declared.BandEase = 0.0
     hem_band: declared.HemBand = 0.0
+    flare: Annotated[float, Option("Width of the hem over that of the gathered edge.", "cm", 0.0, 60.0)] = (
+        30.0
+    )
     yoke: declared.SkirtYoke = 0.0
 
 
@@ -137,6 +140,6 @@ def draft_gathered_skirt(options: GatheredSkirtOptions, measurements: Measuremen
     lower, height = lay_yoke_or_band(table, figure, options.yoke, options.band_height, options.waist_ease)
     top_y = figure.waist_y - height - 3.0
     fall = options.length - height
-    lay_bubble_skirt(table, figure, lower, fall, top_y, options.fullness, options.hem_band)
+    lay_bubble_skirt(table, figure, lower, fall, top_y, options.fullness, options.hem_band, options.flare)
     sew_skirt_to_band(table, SKIRT_WHOLE, gathered=True)
     return table.finish()
