@@ -34,6 +34,7 @@ from swifttailor.wishes.drafts.mandarin_collars import (
 from swifttailor.wishes.drafts.measured_legs import legs_as_measured
 from swifttailor.wishes.drafts.modest_necks import modest_as_asked
 from swifttailor.wishes.drafts.one_collar import with_one_collar
+from swifttailor.wishes.drafts.nipped_waists import nipped_as_said
 from swifttailor.wishes.drafts.opened_drafts import opened_as_asked
 from swifttailor.wishes.drafts.oversized_drafts import oversized_as_asked
 from swifttailor.wishes.drafts.pleated_dresses import pleats_as_asked
@@ -146,7 +147,7 @@ def drafts_of(heard: Heard) -> tuple[NamedDraft, ...]:
     fitting = [bubble_as_asked(draft, heard.lacks, sure) for draft in fitting]
     fitting = [wrapped_close_as_asked(draft, sure) for draft in wound_as_asked(fitting, sure)]
     fitting = [pleats_as_asked(draft, heard.lacks, sure) for draft in fitting]
-    fitting = [slightly_flared_as_said(draft, heard.text) for draft in fitting]
+    fitting = [nipped_as_said(slightly_flared_as_said(d, heard.text), heard.text) for d in fitting]
     fitting = [yoke_as_asked(draft, lacks, heard.text) for draft in fitting]
     fitting = [huge_as_said(tier_as_said(draft, heard.text), heard.text) for draft in fitting]
     wanted = {lack.what for lack in heard.lacks if lack.said}
