@@ -136,9 +136,7 @@ class NamedDraft:
         high_halter = options.get("halter") and float(options.get("neck_depth", _V_CM)) < _V_CM
         are = (*are, *(_OF_HIGH_HALTERS if high_halter else ()), *self._neck_to_the_eye)
         full = max(float(options.get("gathers", 1.0)), float(options.get("fullness", 1.0)))
-        flares = flares_to_the_eye(
-            self.name, options, full=full / FULL_GATHERS, banded=bool(options.get(HEM_BAND))
-        )
+        flares = flares_to_the_eye(self.name, options, full=full / FULL_GATHERS)
         are = (*are, *((("skirt", "flared"),) if flares else ()))
         round_ = max(float(options.get("skirt_fraction", 0.0)), float(options.get("fraction", 0.0)))
         is_full = round_ >= 1.0 and full < FULL_GATHERS and not options.get("flounce")
@@ -217,11 +215,8 @@ DROPPED_CM = 6.0
 _OF_WINGS = (("sleeve_shape", "wide"),)
 LEG_SLITS, BACK_RISE, CROSSED, TRAILING = "slits", "back_rise", "crossed", "trailing_sleeves"
 CROSSED_STRAPS = "crossed_straps"
-_OPTIONS_SHOW = {
-    SIDE_SLITS: LEG_SLITS,
-    CROSSED: CROSSED_STRAPS,
-    **{k: k for k in (BACK_RISE, "halter", "yoke")},
-}
+_AS_NAMED = (BACK_RISE, "halter", "yoke")
+_OPTIONS_SHOW = {SIDE_SLITS: LEG_SLITS, CROSSED: CROSSED_STRAPS, **{key: key for key in _AS_NAMED}}
 """What open ends of legs and the like, which have options of their own, are in ``cannot.txt``."""
 _OF_CROSSED = (("neckline", "square"),)
 """Of bibs, whose straps say no more where they end."""

@@ -33,8 +33,8 @@ from swifttailor.wishes.drafts.mandarin_collars import (
 )
 from swifttailor.wishes.drafts.measured_legs import legs_as_measured
 from swifttailor.wishes.drafts.modest_necks import modest_as_asked
-from swifttailor.wishes.drafts.one_collar import with_one_collar
 from swifttailor.wishes.drafts.nipped_waists import nipped_as_said
+from swifttailor.wishes.drafts.one_collar import with_one_collar
 from swifttailor.wishes.drafts.opened_drafts import opened_as_asked
 from swifttailor.wishes.drafts.oversized_drafts import oversized_as_asked
 from swifttailor.wishes.drafts.pleated_dresses import pleats_as_asked

@@ -8,9 +8,10 @@ from dataclasses import replace
 from swifttailor.pattern.drafts.draft_names import NamedDraft
 
 _SAID = re.compile(
-    r"(?<!\w)(?:nipped(?:[- ]in)?(?: at the| in the)?[- ]waist(?:ed)?|(?:tiny|tight|close|fitted|cinched|narrow)"
-    r"(?: at the| in the)?[- ]waist(?:ed)?|waist,? (?:that is |is |really |very |super )*(?:nipped|cinched|pulled)"
-    r"[- ]in|(?:nipped|cinched|pulled) in (?:at|around) the (?:middle|waist)"
+    r"(?<!\w)(?:nipped(?:[- ]in)?(?: at the| in the)?[- ]waist(?:ed)?"
+    r"|(?:tiny|tight|close|fitted|cinched|narrow)(?: at the| in the)?[- ]waist(?:ed)?"
+    r"|waist,? (?:that is |is |really |very |super )*(?:nipped|cinched|pulled)[- ]in"
+    r"|(?:nipped|cinched|pulled) in (?:at|around) the (?:middle|waist)"
     r"|(?:close|tight|fitted|close[- ]fitting) (?:on top|at the top|bodice))(?!\w)",
     re.IGNORECASE,
 )

@@ -7,12 +7,13 @@ import re
 from swifttailor.pattern.drafts.draft_names import NamedDraft
 
 _SLIGHTLY = (
-    r"(?:slight(?:ly)?|gent(?:ly|le)|soft(?:ly)?|subtl[ey]|modest(?:ly)?|an? (?:little|bit|touch|tad)(?: bit)?"
-    r"|somewhat|only just|barely|not (?:too|very|so)|hardly)"
+    r"(?:slight(?:ly)?|gent(?:ly|le)|soft(?:ly)?|subtl[ey]|modest(?:ly)?"
+    r"|an? (?:little|bit|touch|tad)(?: bit)?|somewhat|only just|barely|not (?:too|very|so)|hardly)"
 )
 _FLARED = r"(?:flared?|flaring|fuller?|fullness|wider?|open|swing|swingy|a-?line)"
 _SAID = re.compile(
-    rf"(?<!\w)(?:skirts?(?: part)?,? (?:(?:that|which|is|are|to be|should be|and|only|just|with an?|flaring) )*"
+    r"(?<!\w)(?:skirts?(?: part)?,? "
+    r"(?:(?:that|which|is|are|to be|should be|and|only|just|with an?|flaring) )*"
     rf"{_SLIGHTLY} {_FLARED}|{_SLIGHTLY} {_FLARED},? (?:(?:midi|knee[- ]length|long) )?skirts?"
     rf"|{_SLIGHTLY} {_FLARED} (?:in|at|of|to) the (?:skirt|hem)"
     r"|rock,? (?:(?:ist|soll|nur|der) )*(?:leicht|etwas|ein wenig|nicht zu) (?:aus)?(?:gestellt\w*|weit\w*)"
