@@ -46,8 +46,8 @@ def _on_breasts(chalk: Chalk, name: str, x: float, below: float, both: bool) -> 
 
 
 _SKIRT, _WIDE, _OF_WIDE = "skirt_front", 28.0, 0.4
-"""Half of the upper edge of a skirt's front that is wider than a body, cm, and at which part of it pockets lie
-then."""
+"""Half of the upper edge of a skirt's front that is wider than a body, cm, and at which part of it pockets
+lie."""
 
 
 def patch_pockets(chalk: Chalk, name: str) -> list[Trim]:

@@ -6,7 +6,7 @@ import numpy as np
 
 from swifttailor.pattern.trims.chalk import Chalk, Point
 from swifttailor.pattern.trims.front_view import FrontView
-from swifttailor.pattern.trims.shapes import Trim
+from swifttailor.pattern.trims.shapes import Patch, Trim
 
 _SIDES = (("left", 1.0), ("right", -1.0))
 _SEAM = 0.2
@@ -47,7 +47,8 @@ def princess_panels(chalk: Chalk, name: str) -> list[Trim]:
     """The same of dresses that have no waist seam: on bodice and skirt, or nowhere."""
     pieces = princess_seams(chalk, name)
     upper = any("torso" in panel for panel in chalk.views)
-    return pieces if upper and any(piece.panel.startswith("skirt") for piece in pieces) else []
+    below = any(isinstance(piece, Patch) and piece.panel.startswith("skirt") for piece in pieces)
+    return pieces if upper and below else []
 
 
 def yoke(chalk: Chalk, name: str) -> list[Trim]:
