@@ -69,7 +69,6 @@ _SOFT = (
     "shoulder pleats",
     "back pleat",
     "box pleats",
-    "kick pleat",
     "neck gathers",
     "shoulder gathers",
     "bust gathers",

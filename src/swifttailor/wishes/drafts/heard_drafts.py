@@ -50,7 +50,7 @@ from swifttailor.wishes.drafts.swimsuits_as_asked import on_a_halter
 from swifttailor.wishes.drafts.tiers_as_asked import tiers_as_asked
 from swifttailor.wishes.drafts.tops_to_the_legs import is_long_top, to_the_legs_as_said
 from swifttailor.wishes.drafts.wound_skirts import wound_as_asked
-from swifttailor.wishes.drafts.yoked_skirts import yoke_as_asked
+from swifttailor.wishes.drafts.yoked_skirts import YOKE, yoke_as_asked
 from swifttailor.wishes.text.flare_starts import flare_as_said
 from swifttailor.wishes.text.tier_heights import tier_as_said
 from swifttailor.wishes.trims.button_counts import closed_as_counted
@@ -153,6 +153,8 @@ def drafts_of(heard: Heard) -> tuple[NamedDraft, ...]:
     wanted = {lack.what for lack in heard.lacks if lack.said}
     opened = [opened_as_asked(closed_as_counted(d, heard.text), sure, wanted) for d in fitting]
     found = dict.fromkeys([hem_as_asked(draft, sure, wanted, denied_lacks(heard)) for draft in opened])
+    if YOKE in wanted:  # of several that have one, first what has the pleats below it as well
+        return tuple(sorted(found, key=lambda draft: -len(wanted.intersection(draft.shows))))
     return tuple(sorted(found, key=lambda draft: wanted.isdisjoint(draft.shows)))
 
 

@@ -14,7 +14,7 @@ _FLARED = r"(?:flared?|flaring|fuller?|fullness|wider?|open|swing|swingy|a-?line
 _SAID = re.compile(
     r"(?<!\w)(?:skirts?(?: part)?,? "
     r"(?:(?:that|which|is|are|to be|should be|and|only|just|with an?|flaring) )*"
-    rf"{_SLIGHTLY} {_FLARED}|{_SLIGHTLY} {_FLARED},? (?:(?:midi|knee[- ]length|long) )?skirts?"
+    rf"{_SLIGHTLY} {_FLARED}|{_SLIGHTLY} {_FLARED} (?:(?!leg|sleeve|and )[\w-]+ ){{0,2}}?skirts?"
     rf"|{_SLIGHTLY} {_FLARED} (?:in|at|of|to) the (?:skirt|hem)"
     r"|rock,? (?:(?:ist|soll|nur|der) )*(?:leicht|etwas|ein wenig|nicht zu) (?:aus)?(?:gestellt\w*|weit\w*)"
     r"|(?:leicht|etwas) (?:ausgestellt|weit)\w* rock"
@@ -23,7 +23,7 @@ _SAID = re.compile(
     r"|saia,? (?:ligeiramente|um pouco) \w+)(?!\w)",
     re.IGNORECASE,
 )
-_MOST_ROUND = 0.5
+_MOST_ROUND = 0.75
 _FLARE, _HIP_EASE_CM = 10.0, 6.0
 """Slant of the side seams, degrees, and room over the hips, cm."""
 _OF_BODICE = frozenset(
