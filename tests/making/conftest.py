@@ -132,6 +132,8 @@ TRIMMED = {
     "bustle skirt": ("circle-skirt", ("bustle",)),
     "crinoline": ("gathered-skirt", ("hoops",)),
     "wrap top": ("wrap-top", ("nape bow", "side tie")),
+    "pleated pencil skirt": ("fitted-skirt", ("kick pleat",)),
+    "dress of panels": ("skater-dress", ("princess panels",)),
 }
 """Name of a draft and what is put on it: between them all trims that there are."""
 

@@ -12,7 +12,7 @@ from swifttailor.garment.cloth_color import cloth_color
 from swifttailor.garment.cloth_print import cloth_at
 from swifttailor.garment.collar_lines import is_of_collar, seams_within_collars
 from swifttailor.garment.double_breasted import seams_under_a_front
-from swifttailor.garment.princess_lines import darts_in_princess_seams
+from swifttailor.garment.princess_lines import seams_in_princess_seams
 from swifttailor.garment.trim_colors import DARKEST, is_dark
 from swifttailor.pattern.centre_seams import needless_centre_seams
 from swifttailor.render.color import GREY, Color, to_linear
@@ -41,6 +41,8 @@ _METAL_SHEEN, _METAL_GLOSS = 0.30, 0.22
 _MATT = frozenset(
     {"cotton", "linen", "wool", "denim", "jersey", "fleece", "twill", "knit", "corduroy", "tweed"}
 )
+_UNDER_PLEATS, _ALIKE = "skirt_under_", 0.86
+"""What is folded away under pleats, and how light its wrong side is beside the right one."""
 _WOVEN, _REPEATS_CM = ("stripes", "checks", "plaid"), 48.0
 """Prints that go through to the wrong side, and a width over which they repeat."""
 ON_DARK = -0.8
@@ -87,7 +89,7 @@ def cloth_surface(
     if tint_panels:
         right = base * _tints(garment)[garment.mesh.face_panel][:, None]
     printed = garment.print if color is None else None
-    inside, is_black = inside_of(base, printed)
+    inside, is_black = inside_of(base, printed, alike=_is_pleated(garment))
     dark = np.full(len(garment.pattern.panels), is_black)
     drawn = _lines(garment, dark, seen_on_dark) if lines else ()
     return _surface(garment, garment.faces, right, inside, drawn, printed, None)
@@ -110,7 +112,8 @@ def cloth_surfaces(garment: Garment, color: Color | None = None) -> list[SeenClo
     base = np.array([np.maximum(to_linear(look.color or own), DARKEST) for look in looks])
     prints = [print_of(garment, look, look.color or own) for look in looks]
     kinds = [(printed, look.opacity, look.lace) for printed, look in zip(prints, looks, strict=True)]
-    insides = [inside_of(*pair) for pair in zip(base, prints, strict=True)]
+    alike_inside = _is_pleated(garment)
+    insides = [inside_of(*pair, alike=alike_inside) for pair in zip(base, prints, strict=True)]
     wrong, dark = np.array([inside for inside, _ in insides]), np.array([is_black for _, is_black in insides])
     right = base * _tints(garment)[:, None]
     order = [k for k, kind in enumerate(kinds) if kinds.index(kind) == k]
@@ -165,10 +168,20 @@ def _tints(garment: Garment) -> Array:
     return 0.97 + 0.06 * ((np.arange(len(garment.pattern.panels)) * 0.618034) % 1.0)
 
 
-def inside_of(base: Array, printed: ClothPrint | None) -> tuple[Array, bool]:
-    """The wrong side (3,) of cloth of a colour (3,) or print, linear light; and whether seams are lighter."""
+def _is_pleated(garment: Garment) -> bool:
+    """Whether cloth is folded away under strips: the strip that a fold shows is the right side of cloth."""
+    return any(panel.name.startswith(_UNDER_PLEATS) for panel in garment.pattern.panels)
+
+
+def inside_of(base: Array, printed: ClothPrint | None, *, alike: bool = False) -> tuple[Array, bool]:
+    """The wrong side (3,) of cloth of a colour (3,) or print, linear light; and whether seams are lighter.
+
+    With `alike` it is nearly as the right side.
+    """
     if printed is not None:
         base = np.maximum(_wrong_side(printed), DARKEST)
+    if alike:
+        return _ALIKE * base, is_dark(base)
     grey = float(base @ GREY)
     return 0.78 * (0.75 * base + 0.25 * grey) + 0.002, is_dark(base)
 
@@ -269,7 +282,7 @@ def _seam_edges(garment: Garment, as_worn: bool) -> Array:
     if as_worn:
         needless = frozenset(needless) | seams_within_collars(garment.pattern)
         needless |= seams_under_a_front(garment.pattern)
-        needless |= darts_in_princess_seams(garment.pattern)
+        needless |= seams_in_princess_seams(garment.pattern)
     parts = [
         np.stack([s.vertices[:-1], s.vertices[1:]], axis=1)
         for s in garment.seams

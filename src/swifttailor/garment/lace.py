@@ -19,7 +19,7 @@ _FLOWERS = 0
 _FIGURES = (0.93, 0.62, 0.80)
 """Share of what lies beneath that three sorts of figures hide."""
 _LIGHT_FROM = 0.18
-_LINING_OF_LIGHT, _LINING_OF_DARK = 0.72, 0.2
+_LINING_OF_LIGHT, _LINING_OF_DARK = 0.83, 0.2
 """How lace is told from its lining of the same colour: that is darker, or has so much of white."""
 
 

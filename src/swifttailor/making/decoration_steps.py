@@ -150,6 +150,11 @@ _OTHERS: Mapping[str, tuple[str, str]] = {
         "Cut the back 8 cm wider in the middle, fold both marked lines to the middle behind it, and baste "
         "the pleat at its upper end.",
     ),
+    "kick pleat": (
+        "Kick pleat",
+        "Cut the back of the skirt 12 cm wider in the middle, from the upper end of the marked pleat down, "
+        "fold both marked lines to the middle over it, and stitch it along the slanting lines.",
+    ),
     "neck gathers": (
         "Gathers below the neck",
         "Spread the front along the marked lines, 1.5 cm at the neckline for each, and gather this to the "
@@ -243,6 +248,12 @@ _OTHERS: Mapping[str, tuple[str, str]] = {
         "Draped folds",
         "Cut the front wider where the marked folds meet, lay it in folds along the marks, and baste them at "
         "the side seam before it is sewn.",
+    ),
+    "princess panels": (
+        "Princess panels",
+        "Lay bodice and skirt edge to edge at the waist, cut both apart along the marked lines, and cut each "
+        "upper piece and the lower one in one, so that no seam runs around the waist; darts end in the "
+        "seams between the panels.",
     ),
     "princess seams": (
         "Princess seams",

@@ -63,8 +63,9 @@ _LINES: Mapping[str, str] = {
     "diagonal closing": "piping",
     "shoulder drape": "fold",
     "draped folds": "fold",
-    "princess seams": "princess seam",
+    **dict.fromkeys(("princess seams", "princess panels"), "princess seam"),
     "yoke": "seam of the yoke",
+    "kick pleat": "fold of a pleat",
 }
 
 

@@ -173,6 +173,8 @@ SHOULD_HAVE = {
     "bustle": ("circle-skirt", "skater-dress", "fitted-dress"),
     "hoops": ("gathered-skirt", "circle-skirt", "strapless-dress"),
     "side tie": ("wrap-top", "wrap-dress", "t-shirt", "cardigan"),
+    "kick pleat": ("fitted-skirt", "fitted-dress"),
+    "princess panels": ("skater-dress", "fitted-dress"),
 }
 CHILDREN = (60.0, 92.0, 110.0, 128.0, 152.0)
 SOME = tuple(info for info in list_drafts() if info.name not in ("gored-skirt", "pleated-skirt"))

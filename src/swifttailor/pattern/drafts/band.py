@@ -9,6 +9,8 @@ from swifttailor.pattern.drafts.outline import Outline, Side, annular_sector
 
 CONTOUR = 0.2
 """Part of the body's widening below the waist that a waistband follows; a fully shaped one slides down."""
+LOWEST_YOKE_CM, _YOKE_EASE_CM = 6.0, 2.0
+"""What is lower is a waistband; and the room of a yoke at its lower edge, cm around."""
 BAND_FRONT_Z = 24.0
 """Where front bands stand before draping, cm."""
 BAND_BACK_Z = -20.0
@@ -95,6 +97,30 @@ def lay_body_waist_band(
     if back_rise >= _LEAST_RISE_CM:
         _raise_behind(table, back_rise)
     return lower
+
+
+def lay_yoke_or_band(
+    table: CuttingTable, figure: Figure, yoke: float, height: float, ease: float
+) -> tuple[Halves, float]:
+    """Lays a yoke that follows waist and hips where there is to be one, else a waistband.
+
+    Args:
+        table: Where it goes.
+        figure: The body.
+        yoke: Height of the yoke, cm; less than `LOWEST_YOKE_CM` is none.
+        height: Of the waistband, cm.
+        ease: On top of the body's girth at the waist, cm around.
+
+    Returns:
+        Half widths of its lower edge, and its height, cm.
+    """
+    if yoke < LOWEST_YOKE_CM:
+        return lay_body_waist_band(table, figure, height, ease), height
+    upper = figure.waist.eased(ease)
+    below = figure.girth_below_waist(yoke).eased(ease + _YOKE_EASE_CM)
+    lower = Halves(max(below.front, upper.front), max(below.back, upper.back))
+    lay_waist_band(table, upper, lower, yoke, figure.waist_y, at_waist=True)
+    return lower, yoke
 
 
 def _raise_behind(table: CuttingTable, rise: float) -> None:

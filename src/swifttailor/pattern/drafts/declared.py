@@ -82,6 +82,12 @@ SkirtFlare = Annotated[
     float, Option("Slant of the side seams below the hips; negative narrows the hem.", "degrees", -8.0, 18.0)
 ]
 BandHeight = Annotated[float, Option("Height of the waistband.", "cm", 2.0, 9.0)]
+SkirtYoke = Annotated[
+    float,
+    Option(
+        "Height of a yoke shaped to the hips, instead of the waistband; less than 6: none.", "cm", 0.0, 20.0
+    ),
+]
 TrouserLength = Annotated[float, Option("Body's waist to the hem, down the side.", "cm", 36.0, 106.0)]
 LongTrouserLength = Annotated[
     float, Option("Body's waist to the hem, down the side; longer ones drag.", "cm", 36.0, 130.0)

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from swifttailor.pattern.drafts.draft_kinds import DRAFT_KINDS, DRAFT_NAMES
+from swifttailor.pattern.drafts.flares_to_the_eye import flares_to_the_eye
 from swifttailor.pattern.drafts.without_bib import SHOWN_WITHOUT_BIB, WITHOUT_BIB
 
 _SHORT_CAPE_CM = 25.0
@@ -135,7 +136,8 @@ class NamedDraft:
         high_halter = options.get("halter") and float(options.get("neck_depth", _V_CM)) < _V_CM
         are = (*are, *(_OF_HIGH_HALTERS if high_halter else ()), *self._neck_to_the_eye)
         full = max(float(options.get("gathers", 1.0)), float(options.get("fullness", 1.0)))
-        are = (*are, *((("skirt", "flared"),) if full >= FULL_GATHERS and not options.get(HEM_BAND) else ()))
+        flares = flares_to_the_eye(self.name, options, full=full / FULL_GATHERS)
+        are = (*are, *((("skirt", "flared"),) if flares else ()))
         round_ = max(float(options.get("skirt_fraction", 0.0)), float(options.get("fraction", 0.0)))
         is_full = round_ >= 1.0 and full < FULL_GATHERS and not options.get("flounce")
         are = (*are, *((("skirt", "gathered"),) if is_full and self.name in _ROUND_SKIRTS else ()))
@@ -213,7 +215,8 @@ DROPPED_CM = 6.0
 _OF_WINGS = (("sleeve_shape", "wide"),)
 LEG_SLITS, BACK_RISE, CROSSED, TRAILING = "slits", "back_rise", "crossed", "trailing_sleeves"
 CROSSED_STRAPS = "crossed_straps"
-_OPTIONS_SHOW = {SIDE_SLITS: LEG_SLITS, BACK_RISE: BACK_RISE, CROSSED: CROSSED_STRAPS, "halter": "halter"}
+_AS_NAMED = (BACK_RISE, "halter", "yoke")
+_OPTIONS_SHOW = {SIDE_SLITS: LEG_SLITS, CROSSED: CROSSED_STRAPS, **{key: key for key in _AS_NAMED}}
 """What open ends of legs and the like, which have options of their own, are in ``cannot.txt``."""
 _OF_CROSSED = (("neckline", "square"),)
 """Of bibs, whose straps say no more where they end."""
@@ -314,16 +317,12 @@ DRAFTS_SHOW: Mapping[str, tuple[str, ...]] = {
     "hooded-coat": ("open_front",),
     "robe": ("open_front", "wrap"),
     "cape": ("cape", "open_front"),
-    "bodysuit": ("swim",),
-    "swimsuit": ("swim",),
+    **dict.fromkeys(("bodysuit", "swimsuit"), ("swim",)),
     "dungarees": ("bib",),
     "pinafore": ("bib",),
     "apron": ("apron", "bib"),
-    "halter-top": ("halter",),
-    "halter-dress": ("halter",),
-    "halter-jumpsuit": ("halter",),
-    "off-shoulder-top": ("off_shoulder",),
-    "off-shoulder-dress": ("off_shoulder",),
+    **dict.fromkeys(("halter-top", "halter-dress", "halter-jumpsuit"), ("halter",)),
+    **dict.fromkeys(("off-shoulder-top", "off-shoulder-dress"), ("off_shoulder",)),
 }
 """What a draft shows that no way to cut makes: keys of the lexicon's ``cannot.txt``. Where it
 names a shirt dress, that has its collar."""

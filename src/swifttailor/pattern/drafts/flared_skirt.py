@@ -145,6 +145,7 @@ def lay_bubble_skirt(
     top_y: float,
     fullness: float,
     band: float,
+    flare: float = 0.0,
 ) -> None:
     """Lays a gathered skirt, and below it a band that draws its hem together, so that it puffs out.
 
@@ -158,9 +159,10 @@ def lay_bubble_skirt(
         top_y: World height of the middle of the upper edge, cm.
         fullness: Width over that of the upper edge.
         band: Height of the band, cm; less than `LOWEST_HEM_BAND` is none.
+        flare: Width of the hem of a skirt without a band over its gathered edge, cm together.
     """
     height = band if band >= LOWEST_HEM_BAND else 0.0
-    lay_gathered_skirt(table, waist, length - height, top_y, fullness)
+    lay_gathered_skirt(table, waist, length - height, top_y, fullness, 0.0 if height else flare)
     if not height:
         return
     room = figure.hips.eased(_ROOM_TO_STEP_CM)

@@ -22,6 +22,9 @@ _BELOW_WAIST_CM = 3.0
 """Between bodice and skirt before draping."""
 _PLEAT_CM, _HIP_EASE_CM = 4.0, 3.0
 """Cloth that is folded under each strip of a pleated skirt, and its room at the hips."""
+_GATHERED_FLARE = 0.55
+"""Width of the hem of a gathered skirt over its gathered edge, times the length: one as wide all the way down
+hangs like a barrel."""
 _LEAST_TO_HIPS_CM = 6.0
 """From a seam below the waist to the hips, at least, for how it widens, cm."""
 _FLARE, _MOST_FLARE_CM = 1.1, 72.0
@@ -55,7 +58,16 @@ def lay_round_skirt(table: CuttingTable, figure: Figure, skirt: RoundSkirt, wais
         return
     gathered = skirt.gathers >= LEAST_GATHERS
     if gathered:
-        lay_bubble_skirt(table, figure, waist, skirt.length, top_y, skirt.gathers, skirt.hem_band)
+        lay_bubble_skirt(
+            table,
+            figure,
+            waist,
+            skirt.length,
+            top_y,
+            skirt.gathers,
+            skirt.hem_band,
+            _GATHERED_FLARE * skirt.length,
+        )
     else:
         lay_flared_skirt(table, waist, skirt.length, top_y, skirt.fraction, skirt.hem)
     sew_skirt_to_bodice(table, SKIRT_WHOLE, gathered=gathered)

@@ -108,6 +108,7 @@ TRIMS: Mapping[str, str] = {
     "elbow patches": "patches on the elbows",
     "draped folds": "folds drawn across the front",
     "princess seams": "princess seams",
+    "princess panels": "princess seams from the shoulders to the hem",
     "yoke": "a yoke",
     "waist frill": "a frill above the waistband",
     "scalloped edge": "arcs along the hem",
@@ -149,6 +150,7 @@ TRIMS: Mapping[str, str] = {
     "bustle": "a skirt gathered up behind",
     "hoops": "a skirt held out by hoops",
     "side tie": "a band tied at the left side of the waist",
+    "kick pleat": "a pleat above the hem behind",
 }
 """By name, what each is for people. None joins panels, so none changes how a garment is cut or hangs."""
 LIKE_EACH_OTHER = (
@@ -191,6 +193,7 @@ LIKE_EACH_OTHER = (
         "fine pleats",
     ),
     ("back pleat", "fine pleats", "box pleats"),
+    ("princess seams", "princess panels"),
     ("yoke", "yoke frill", "smocking", "denim seams", "blouse front", "illusion yoke"),
     ("waist frill", "folded band"),
     ("sleeve frills", "sleeve turn-ups", "thumb holes"),

@@ -37,6 +37,7 @@ from swifttailor.pattern.trims.epaulettes import epaulettes
 from swifttailor.pattern.trims.fur_edges import fur_trim, neck_fur, sleeve_fur
 from swifttailor.pattern.trims.illusion import illusion_yoke
 from swifttailor.pattern.trims.keyholes import keyhole
+from swifttailor.pattern.trims.kick_pleat import kick_pleat
 from swifttailor.pattern.trims.kilt_edge import kilt_edge
 from swifttailor.pattern.trims.knee_patches import knee_patches
 from swifttailor.pattern.trims.knit_bands import KNIT_BANDS, knit_bands
@@ -165,6 +166,7 @@ _PLACES: Mapping[str, Callable[[Chalk, str], list[Trim]]] = {
     "elbow patches": elbow_patches,
     "draped folds": ruching.draped_folds,
     "princess seams": seam_lines.princess_seams,
+    "princess panels": seam_lines.princess_panels,
     "yoke": seam_lines.yoke,
     "waist frill": waist_frill,
     "scalloped edge": decorations.scalloped_edge,
@@ -206,6 +208,7 @@ _PLACES: Mapping[str, Callable[[Chalk, str], list[Trim]]] = {
     "bustle": layer,
     "hoops": layer,
     "side tie": side_tie,
+    "kick pleat": kick_pleat,
 }
 """How each of `names.TRIMS` is marked."""
 

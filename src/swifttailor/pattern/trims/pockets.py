@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from swifttailor.pattern.trims.chalk import Chalk
+import numpy as np
+
+from swifttailor.pattern.trims.chalk import Chalk, Point
+from swifttailor.pattern.trims.front_view import FrontView
 from swifttailor.pattern.trims.shapes import Trim
 
 _SHORT_TORSO = 12.0
@@ -42,6 +45,11 @@ def _on_breasts(chalk: Chalk, name: str, x: float, below: float, both: bool) -> 
     return pieces
 
 
+_SKIRT, _WIDE, _OF_WIDE = "skirt_front", 28.0, 0.4
+"""Half of the upper edge of a skirt's front that is wider than a body, cm, and at which part of it pockets
+lie."""
+
+
 def patch_pockets(chalk: Chalk, name: str) -> list[Trim]:
     """At the hips, or lower where the waist is; one on each side."""
     s = chalk.size
@@ -65,7 +73,10 @@ def patch_pockets(chalk: Chalk, name: str) -> list[Trim]:
             return []
         width, height = 14 * s, min(15.5 * s, top - view.low - 4)
         outer = max(sign * span[0], sign * span[1])
-        x = sign * min(12.0 * s, outer - width / 2 - 1.2)
+        # Gathers draw what lies beside the middle of a wide skirt together.
+        wide = abs(_upper_corner(view, sign)[0]) if panel == _SKIRT else 0.0
+        beside = _OF_WIDE * wide if wide > _WIDE * s else 12.0 * s
+        x = sign * min(beside, outer - width / 2 - 1.2)
         if height < 8 * s or sign * x - width / 2 < 0.8:
             return []
         found = chalk.pocket(name, panel, (x, top), width, height)
@@ -161,6 +172,13 @@ def bib_pocket(chalk: Chalk, name: str) -> list[Trim]:
     return pieces
 
 
+_ON_SKIRT = 0.5
+"""Half the width of an opening there, whose folds hide finer ones, cm."""
+_FROM_MIDDLE, _OPENING = 0.55, 16.0
+"""Where openings in a skirt begin at the waist, as a part of the way to the side seam, at most; and how far
+down that they end, cm."""
+
+
 def slant_pockets(chalk: Chalk, name: str) -> list[Trim]:
     """Openings from the waist to the side seams."""
     pieces: list[Trim] = []
@@ -174,17 +192,34 @@ def slant_pockets(chalk: Chalk, name: str) -> list[Trim]:
         low_end = chalk.outer(view, top - 16 * chalk.size, sign)
         if waist_end is None or low_end is None or (skirt and not chalk.is_even(view, top - 1.0)):
             return []
-        first = (
-            waist_end - sign * 6.5 * chalk.size,
-            chalk.top_at(view, waist_end - sign * 6.5 * chalk.size) - 0.5,
-        )
+        begin = waist_end - sign * 6.5 * chalk.size
         last = (low_end - sign * 0.5, top - 16 * chalk.size)
+        if skirt:  # of a flared one that is hidden at the side: it begins where it is seen from the front
+            corner = _upper_corner(view, sign)
+            begin = sign * min(abs(begin), _FROM_MIDDLE * abs(corner[0]))
+            last = _down_the_side(chalk, view, sign, corner) or last
+        first = (begin, chalk.top_at(view, begin) - 0.5)
         middle = ((first[0] + last[0]) / 2 - sign * 0.5, (first[1] + last[1]) / 2 - 0.5)
-        found = chalk.line(name, panel, [first, middle, last], width=0.28)
+        found = chalk.line(name, panel, [first, middle, last], width=_ON_SKIRT if skirt else 0.28)
         if not found:
             return []
         pieces += found
     return pieces
+
+
+def _upper_corner(view: FrontView, sign: int) -> Point:
+    """The upper end of a side seam of a skirt's front."""
+    at = int(np.argmax(np.where(sign * view.outline[:, 0] > 0.0, view.outline[:, 1], -np.inf)))
+    return (float(view.outline[at, 0]), float(view.outline[at, 1]))
+
+
+def _down_the_side(chalk: Chalk, view: FrontView, sign: int, corner: Point) -> Point | None:
+    """Where the opening of a pocket ends beside the side seam of a skirt, whose upper end is `corner`."""
+    for down in np.arange(3.0, _OPENING, 0.5):
+        x = chalk.outer(view, corner[1] - down, sign)
+        if x is not None and np.hypot(x - corner[0], down) >= _OPENING * chalk.size:
+            return (x - sign * 0.6, float(corner[1] - down))
+    return None
 
 
 def side_pockets(chalk: Chalk, name: str) -> list[Trim]:

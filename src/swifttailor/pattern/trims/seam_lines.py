@@ -6,7 +6,7 @@ import numpy as np
 
 from swifttailor.pattern.trims.chalk import Chalk, Point
 from swifttailor.pattern.trims.front_view import FrontView
-from swifttailor.pattern.trims.shapes import Trim
+from swifttailor.pattern.trims.shapes import Patch, Trim
 
 _SIDES = (("left", 1.0), ("right", -1.0))
 _SEAM = 0.2
@@ -41,6 +41,14 @@ def princess_seams(chalk: Chalk, name: str) -> list[Trim]:
             both = [_down(chalk, name, view, sign) for _, sign in _SIDES]
             pieces += [piece for one in both for piece in one] if all(both) else []
     return pieces
+
+
+def princess_panels(chalk: Chalk, name: str) -> list[Trim]:
+    """The same of dresses that have no waist seam: on bodice and skirt, or nowhere."""
+    pieces = princess_seams(chalk, name)
+    upper = any("torso" in panel for panel in chalk.views)
+    below = any(isinstance(piece, Patch) and piece.panel.startswith("skirt") for piece in pieces)
+    return pieces if upper and below else []
 
 
 def yoke(chalk: Chalk, name: str) -> list[Trim]:

@@ -33,6 +33,8 @@ def _is_alone(claim: Claim, claims: Sequence[Claim]) -> bool:
     others = [other for other in claims if other.name == claim.name and other != claim]
     if claim.name in _ON_A_SCALE and next(other for other in claims if other.name == claim.name) != claim:
         return False
+    if claim.name == "neckline" and any(other.name == "straps" for other in claims):
+        return False  # what hangs on straps ends straight between them, unless a word says otherwise
     return claims.count(claim) == 1 and not any(exclude(claim, other) for other in others)
 
 

@@ -33,6 +33,7 @@ from swifttailor.wishes.drafts.mandarin_collars import (
 )
 from swifttailor.wishes.drafts.measured_legs import legs_as_measured
 from swifttailor.wishes.drafts.modest_necks import modest_as_asked
+from swifttailor.wishes.drafts.nipped_waists import nipped_as_said
 from swifttailor.wishes.drafts.one_collar import with_one_collar
 from swifttailor.wishes.drafts.opened_drafts import opened_as_asked
 from swifttailor.wishes.drafts.oversized_drafts import oversized_as_asked
@@ -43,11 +44,13 @@ from swifttailor.wishes.drafts.said_details import with_details
 from swifttailor.wishes.drafts.sailor_collars import asks_for_sailor_collar, with_sailor_collar
 from swifttailor.wishes.drafts.shirt_collars import with_shirt_collar
 from swifttailor.wishes.drafts.short_flounces import short_flounce_as_asked
+from swifttailor.wishes.drafts.slight_flares import slightly_flared_as_said
 from swifttailor.wishes.drafts.straight_edges import straight_as_said
 from swifttailor.wishes.drafts.swimsuits_as_asked import on_a_halter
 from swifttailor.wishes.drafts.tiers_as_asked import tiers_as_asked
 from swifttailor.wishes.drafts.tops_to_the_legs import is_long_top, to_the_legs_as_said
 from swifttailor.wishes.drafts.wound_skirts import wound_as_asked
+from swifttailor.wishes.drafts.yoked_skirts import YOKE, yoke_as_asked
 from swifttailor.wishes.text.flare_starts import flare_as_said
 from swifttailor.wishes.text.tier_heights import tier_as_said
 from swifttailor.wishes.trims.button_counts import closed_as_counted
@@ -144,10 +147,14 @@ def drafts_of(heard: Heard) -> tuple[NamedDraft, ...]:
     fitting = [bubble_as_asked(draft, heard.lacks, sure) for draft in fitting]
     fitting = [wrapped_close_as_asked(draft, sure) for draft in wound_as_asked(fitting, sure)]
     fitting = [pleats_as_asked(draft, heard.lacks, sure) for draft in fitting]
+    fitting = [nipped_as_said(slightly_flared_as_said(d, heard.text), heard.text) for d in fitting]
+    fitting = [yoke_as_asked(draft, lacks, heard.text) for draft in fitting]
     fitting = [huge_as_said(tier_as_said(draft, heard.text), heard.text) for draft in fitting]
     wanted = {lack.what for lack in heard.lacks if lack.said}
     opened = [opened_as_asked(closed_as_counted(d, heard.text), sure, wanted) for d in fitting]
     found = dict.fromkeys([hem_as_asked(draft, sure, wanted, denied_lacks(heard)) for draft in opened])
+    if YOKE in wanted:  # of several that have one, first what has the pleats below it as well
+        return tuple(sorted(found, key=lambda draft: -len(wanted.intersection(draft.shows))))
     return tuple(sorted(found, key=lambda draft: wanted.isdisjoint(draft.shows)))
 
 

@@ -36,6 +36,7 @@ _FULLEST = 1.5
 _ROUND: Mapping[str, str] = {
     "circle-skirt": "fraction",
     "skater-dress": "skirt_fraction",
+    "shirt-dress": "skirt_fraction",
     "strapless-dress": "skirt_fraction",
     "strappy-dress": "skirt_fraction",
     "off-shoulder-dress": "skirt_fraction",

@@ -19,6 +19,7 @@ from swifttailor.wishes.text.leg_figures import leg_figures
 from swifttailor.wishes.text.mentions import find_mentions
 from swifttailor.wishes.text.text_tokens import LONGEST_TEXT
 from swifttailor.wishes.text.tier_heights import tier_figures
+from swifttailor.wishes.text.yoke_heights import yoke_figures
 from swifttailor.wording.instructions.requests import gain_words, step_words
 from swifttailor.wording.wordings import all_wordings
 
@@ -124,7 +125,7 @@ def _numbers(text: str, wishes: Collection[Change]) -> Iterator[_Place]:
         for wish in wishes
         if isinstance(wish, Gain | Step)
     ]
-    elsewhere = (*tier_figures(text), *flare_figures(text), *leg_figures(text))
+    elsewhere = (*tier_figures(text), *flare_figures(text), *leg_figures(text), *yoke_figures(text))
     for mention in find_mentions(text):
         said = text[mention.start : mention.end]
         if any(start <= mention.start < end for start, end in elsewhere):

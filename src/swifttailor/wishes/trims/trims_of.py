@@ -69,7 +69,7 @@ TRIMS_OF: Mapping[str, tuple[str, ...]] = {
     "elbow_patches": ("elbow patches",),
     "cold_shoulder": ("shoulder cut-outs",),
     "cut_outs": ("waist cut-outs", "back cut-out", "keyhole"),
-    "princess_seams": ("princess seams",),
+    "princess_seams": ("princess seams", "princess panels"),
     "yoke": ("yoke",),
     "paperbag": ("waist frill",),
     "scallops": ("scalloped edge",),
@@ -100,5 +100,6 @@ TRIMS_OF: Mapping[str, tuple[str, ...]] = {
     "blouse_front": ("blouse front",),
     "bust_gathers": ("bust gathers",),
     "divided": ("outer skirt",),
+    "kick_pleat": ("kick pleat",),
 }
 """By key of what cannot be made of panels, which trims can stand for it."""

@@ -6,7 +6,12 @@ from dataclasses import dataclass
 from typing import Annotated
 
 from swifttailor.pattern.drafts import declared
-from swifttailor.pattern.drafts.band import band_below_waist, lay_body_waist_band
+from swifttailor.pattern.drafts.band import (
+    LOWEST_YOKE_CM,
+    band_below_waist,
+    lay_body_waist_band,
+    lay_yoke_or_band,
+)
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure
 from swifttailor.pattern.drafts.fitted_skirt import FittedSkirt, lay_fitted_skirt
@@ -91,16 +96,22 @@ class CircleSkirtOptions:
     scallop_width: declared.ScallopWidth = 0.0
     hem_points: declared.HemPoints = 0.0
     below_waist: declared.BelowWaist = 0.0
+    yoke: declared.SkirtYoke = 0.0
 
 
 def draft_circle_skirt(options: CircleSkirtOptions, measurements: Measurements) -> Pattern:
     """Drafts the circle skirt for a body."""
     figure = Figure.of(measurements)
     table = CuttingTable("circle-skirt")
-    below = band_below_waist(figure, options.below_waist, options.band_height)
-    lower = lay_body_waist_band(table, figure, options.band_height, options.waist_ease, below)
-    top_y = figure.waist_y - below - options.band_height - 3.0
-    fall = max(options.length - below - options.band_height, _LEAST_FALL)
+    if options.yoke >= LOWEST_YOKE_CM:  # it begins at the waist
+        below = 0.0
+        lower, height = lay_yoke_or_band(table, figure, options.yoke, 0.0, options.waist_ease)
+    else:
+        height = options.band_height
+        below = band_below_waist(figure, options.below_waist, height)
+        lower = lay_body_waist_band(table, figure, height, options.waist_ease, below)
+    top_y = figure.waist_y - below - height - 3.0
+    fall = max(options.length - below - height, _LEAST_FALL)
     hem = HemShape(options.hem_dip, options.scallop_width, points=options.hem_points)
     lay_flared_skirt(table, lower, fall, top_y, options.fraction, hem)
     sew_skirt_to_band(table, SKIRT_WHOLE)
@@ -116,15 +127,19 @@ class GatheredSkirtOptions:
     band_height: declared.BandHeight = 4.0
     waist_ease: declared.BandEase = 0.0
     hem_band: declared.HemBand = 0.0
+    flare: Annotated[float, Option("Width of the hem over that of the gathered edge.", "cm", 0.0, 60.0)] = (
+        30.0
+    )
+    yoke: declared.SkirtYoke = 0.0
 
 
 def draft_gathered_skirt(options: GatheredSkirtOptions, measurements: Measurements) -> Pattern:
     """Drafts the gathered skirt for a body."""
     figure = Figure.of(measurements)
     table = CuttingTable("gathered-skirt")
-    lower = lay_body_waist_band(table, figure, options.band_height, options.waist_ease)
-    top_y = figure.waist_y - options.band_height - 3.0
-    fall = options.length - options.band_height
-    lay_bubble_skirt(table, figure, lower, fall, top_y, options.fullness, options.hem_band)
+    lower, height = lay_yoke_or_band(table, figure, options.yoke, options.band_height, options.waist_ease)
+    top_y = figure.waist_y - height - 3.0
+    fall = options.length - height
+    lay_bubble_skirt(table, figure, lower, fall, top_y, options.fullness, options.hem_band, options.flare)
     sew_skirt_to_band(table, SKIRT_WHOLE, gathered=True)
     return table.finish()
