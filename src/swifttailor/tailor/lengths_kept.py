@@ -14,7 +14,7 @@ from swifttailor.errors import SwiftTailorError
 from swifttailor.recutting.alter import alter
 from swifttailor.tailor.answer import Answer
 from swifttailor.wishes.assumed.well_within import as_stated
-from swifttailor.wishes.text.spoken_measures import length_on
+from swifttailor.wishes.text.from_the_body import length_on
 
 LENGTHS = frozenset({"skirt_hem", "top_hem", "leg_hem", "sleeves", "left_sleeve", "right_sleeve"})
 """Claims about where a part of the garment ends on its wearer."""
