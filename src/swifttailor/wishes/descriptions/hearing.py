@@ -191,6 +191,8 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
             never=unsaid,
             subjects=_only_subjects(words),
         )
+    implied = [i.claim for i in words.implications if i.said or i.certainty == "certain"]
+    found = tuple([w for w in found if _is_implied(w, implied) or not _is_told_in_figures(w, said)])
     found = within_the_name(without_wrong_kind(found, said, words), words, said)
     found = weighed_all(with_one_band(found, words), {i.claim for i in words.implications if not i.said})
     found = without_flared_legs(found, [e for m in words.marks if not m.denied for e in m.entries])
@@ -343,8 +345,17 @@ def _is_outdone(wish: Wish, said: Sequence[Claim], never: Sequence[Claim]) -> bo
     claim = wish.change.claim
     if claim in never or any(exclude(claim, other) for other in said):
         return True
+    return _is_told_in_figures(wish, said) and wish.certainty < SURENESS["certain"]
+
+
+def _is_told_in_figures(wish: Wish, said: Sequence[Claim]) -> bool:
+    """Whether it says in words what figures say."""
     topics = {topic for other in said for topic in _TOPICS.get(other.name, ())}
-    return claim.name in topics and wish.certainty < SURENESS["certain"]
+    return isinstance(wish.change, Gain) and wish.change.claim.name in topics
+
+
+def _is_implied(wish: Wish, implied: Sequence[Claim]) -> bool:
+    return not isinstance(wish.change, Gain) or wish.change.claim in implied
 
 
 def _is_measured(wish: Wish, measures: Sequence[SpokenMeasure]) -> bool:
