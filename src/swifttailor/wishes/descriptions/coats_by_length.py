@@ -49,7 +49,7 @@ _LONG_BEFORE = re.compile(
     re.IGNORECASE,
 )
 _LONG_BEHIND = re.compile(
-    rf"(?<![\w-])(?P<name>{_CLOTH_COAT}(?:[ ,]+{_WORD}){{0,2}}?)[ ,]+long{_OF_PARTS}(?= *(?:[.,;!?]|$))",
+    rf"(?<![\w-])(?P<name>{_CLOTH_COAT}(?:[ ,]+{_WORD}){{0,2}}?)[ ,]+(?<!\d )(?<!cm )(?<!inches )(?<!inch )(?<!metres )long{_OF_PARTS}(?= *(?:[.,;!?]|$))",
     re.IGNORECASE,
 )
 """A long coat ends at the ankles: one to the floor would be trodden on."""

@@ -15,6 +15,11 @@ _LENGTH = rf"(?P<figure>(?<![\w.,/]){_NUMBER}(?:[ -]?{_UNIT})?)"
 _FRENCH = re.compile(rf"{_LENGTH} de long(?:ueur)?(?!\w)", re.IGNORECASE)
 _SPANISH = re.compile(rf"{_LENGTH} de largo(?!\w)", re.IGNORECASE)
 _ITALIAN = re.compile(rf"(?<!\w)lung[aohei]+ {_LENGTH}", re.IGNORECASE)
+_WIDE_HEM = re.compile(
+    rf"{_LENGTH} (?:wide|in width) (?:at|around|along) (?:the|each) (?:hem|bottom)(?: of the leg)?(?!\w)"
+    rf"|(?<!\w)hems?(?: (?:of|is|are|about))? (?P<behind>{_NUMBER} ?{_UNIT}) wide(?!\w)",
+    re.IGNORECASE,
+)
 _BODY = re.compile(
     r"(?<![\w-])(?<!my )(?<!her )(?<!his )(?<!the )body(?: length)?(?:\s*(?:of|is|:|=))? "
     rf"(?P<figure>\d{{2,3}}(?:[.,]\d{{1,2}})?(?! ?(?:%|kg)|[\d.,]*\d)(?: ?{_UNIT})?)(?!\w)",
@@ -51,7 +56,8 @@ def figures_plainly(text: str) -> str:
     if not any(letter.isdigit() for letter in text):
         return text
     text = _FRENCH.sub(r"longueur \g<figure>", text)
-    text = _SPANISH.sub(r"\g<figure>", text)
+    text = _SPANISH.sub(r"longitud \g<figure>", text)
+    text = _WIDE_HEM.sub(lambda m: f"{m['figure'] or m['behind']} across the hem", text)
     text = _ITALIAN.sub(r"lunghezza \g<figure>", text)
     text = _BODY.sub(r"length \g<figure>", text)
     text = _ELASTIC.sub(r"elastic waistband \g<figure>", text)
