@@ -1,7 +1,7 @@
 """What was drafted, drafted anew for a large body that wears it, and cut again as it was cut.
 
-What grows with the trunk gets sleeves and necks that are too large for a large person: with half as much again
-around the bust sleeves would be 10 cm longer, and necks would stand off and slip from the shoulders.
+What grows with the trunk gets sleeves and necks that are too large for a large person: with half as much
+again around the bust sleeves would be 10 cm longer, and necks would slip from the shoulders.
 """
 
 from __future__ import annotations
@@ -79,8 +79,8 @@ def _is_as_drafted(pattern: Pattern, drafted: Pattern) -> bool:
 def _as_long(
     pattern: Pattern, before: GarmentFacts, asked: Sequence[Gain], body: BodyMeasurements
 ) -> Pattern:
-    """A pattern that ends as low on its body as it did on the default one, where nothing says how long it is."""
-    if any(g.claim.name in _ENDS or g.claim.name in STATED and "length" in g.claim.name for g in asked):
+    """A pattern that ends as low as on the default body, where nothing says how long it is."""
+    if any(g.claim.name in _ENDS or (g.claim.name in STATED and "length" in g.claim.name) for g in asked):
         return pattern
     after = measure_facts(pattern, body)
     if before.hem is None or after.hem is None:

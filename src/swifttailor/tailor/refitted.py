@@ -23,8 +23,8 @@ def refitted(answer: Answer, body: Body) -> Answer:
 
     Sleeves that are cut in one with the body would grow as the trunk does and point past the arms, and short
     ones of very large bodies would grow by a third and fold under on the shoulders: where nothing else was
-    cut, such a pattern is drafted anew. So is one of which a panel crosses itself when it is refitted, as where
-    a dart closes; lengths that are asked for are cut again afterwards (`lengths_kept`).
+    cut, such a pattern is drafted anew. So is one of which a panel crosses itself when it is refitted, as
+    where a dart closes; lengths that are asked for are cut again afterwards (`lengths_kept`).
 
     Raises:
         SwiftTailorError: Its pattern cannot be sewn, or the body cannot be measured.

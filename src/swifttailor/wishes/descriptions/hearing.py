@@ -16,6 +16,7 @@ from swifttailor.describing.differences import Change, Gain
 from swifttailor.networks.beside import beside
 from swifttailor.wishes.corrections.closed_behind import without_opposites
 from swifttailor.wishes.corrections.deep_cuffs import without_deep_cuffs
+from swifttailor.wishes.corrections.full_hems import shapes_by_figures
 from swifttailor.wishes.corrections.long_names import (
     against_names,
     against_phrases,
@@ -192,7 +193,8 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
             subjects=_only_subjects(words),
         )
     implied = [i.claim for i in words.implications if i.said or i.certainty == "certain"]
-    found = tuple([w for w in found if _is_implied(w, implied) or not _is_told_in_figures(w, said)])
+    found = [w for w in found if _is_implied(w, implied) or not _is_told_in_figures(w, said)]
+    found = shapes_by_figures(found)
     found = within_the_name(without_wrong_kind(found, said, words), words, said)
     found = weighed_all(with_one_band(found, words), {i.claim for i in words.implications if not i.said})
     found = without_flared_legs(found, [e for m in words.marks if not m.denied for e in m.entries])

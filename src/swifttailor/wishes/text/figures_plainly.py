@@ -26,25 +26,27 @@ _BODY = re.compile(
     re.IGNORECASE,
 )
 _ELASTIC = re.compile(
-    rf"(?<!\w)elastic(?:ated)? (?:casing|waist|channel|tunnel)? ?(?P<figure>{_NUMBER} ?{_UNIT})", re.IGNORECASE
+    rf"(?<!\w)elastic(?:ated)? (?:casing|waist|channel|tunnel)? ?(?P<figure>{_NUMBER} ?{_UNIT})",
+    re.IGNORECASE,
 )
 _WIDER = re.compile(
     rf"(?<!\w)hems?(?: (?:that is|is|should be|to be|measuring))?(?: (?:only|just|about|some|around))*"
-    rf" (?P<number>{_NUMBER}) ?(?P<unit>{_UNIT})? (?:wider|bigger|more) than (?:the |my |her )?hips?(?: width)?"
-    r"(?!\w)",
+    rf" (?P<number>{_NUMBER}) ?(?P<unit>{_UNIT})? (?:wider|bigger|more) than (?:the |my |her )?hips?"
+    r"(?: width)?(?!\w)",
     re.IGNORECASE,
 )
 _HIPS_CM = 104.0
 """Around the hips of the usual body, for hems that are told from there."""
 _COLLAR_SLEEVE = re.compile(
-    r"(?<!\w)sleeves?(?: length)?(?: of|:)? (?P<number>3[0-8])(?: ?(?:inch(?:es)?|in(?!\w)|[\"”″]))?(?![\w.,]\d|\w| ?cm)",
+    r"(?<!\w)sleeves?(?: length)?(?: of|:)? (?P<number>3[0-8])(?: ?(?:inch(?:es)?|in(?!\w)|[\"”″]))?"
+    r"(?![\w.,]\d|\w| ?cm)",
     re.IGNORECASE,
 )
 _SHIRT_COLLAR = re.compile(
     r"(?<!\w)(?:collar|neck)(?: size)?(?: of|:)? 1[3-9](?:\.5|½| 1/2)?(?![\w.,]\d|\w| ?cm)", re.IGNORECASE
 )
 _HALF_SHOULDERS_CM = 21.0
-"""From the nape to the shoulder tip: sleeves of shirts are sold from there, in inches beside their collars."""
+"""From the nape to the shoulder tip: sleeves of shirts are sold from there, in inches."""
 
 
 def figures_plainly(text: str) -> str:
@@ -76,5 +78,3 @@ def _from_the_nape(found: re.Match[str]) -> str:
 def _in_cm(number: str, unit: str | None) -> float:
     inches = bool(unit) and (unit or "").lower().startswith(("i", '"', "”", "″"))
     return float(number.replace(",", ".").split()[0]) * (CM_PER_INCH if inches else 1.0)
-
-

@@ -1,4 +1,4 @@
-"""Lengths that are said from a place of the body: "two inches above the knee", "28 inches below the waist"."""
+"""Lengths said from a place of the body: "two inches above the knee", "28 inches below the waist"."""
 
 from __future__ import annotations
 
@@ -23,6 +23,7 @@ _SAID = re.compile(
     rf"(?:the|my|her|his|your)?\s*(?:{'|'.join(f'(?P<{key}>{p[0]})' for key, p in _PLACES.items())})(?!\w)",
     re.IGNORECASE,
 )
+_LEGGED = ("trousers", "shorts", "jumpsuit", "playsuit")
 _UP = ("above", "over", "higher than")
 _FROM = ("off", "from")
 """Only the floor is gone from: what is measured from the waist is a length anyway."""
@@ -35,8 +36,8 @@ _TO_THE_WAIST_CM = 34.0
 _FROM_WAIST_CM = 25.0
 """What is less below the waist is where something sits, not where a skirt ends."""
 _SEAMS = re.compile(
-    r"(?<!\w)(?:sits?|sitting|rise|waist ?(?:band|line|seam)?|seam|yoke|band|begins?|starts?|from|darts?|pockets?"
-    r"|slits?|splits?|vents?|buttons?|belt|pleats?|flar\w+|gather\w*|tie[sd]?|sleeves?)(?!\w)[^.;,]{0,24}$",
+    r"(?<!\w)(?:sits?|sitting|rise|waist ?(?:band|line|seam)?|seam|yoke|band|begins?|starts?|from|darts?"
+    r"|pockets?|slits?|splits?|vents?|buttons?|belt|pleats?|flar\w+|gather\w*|tie[sd]?|sleeves?)(?!\w)[^.;,]{0,24}$",
     re.IGNORECASE,
 )
 """Before a figure that tells where something else is than the hem."""
@@ -65,7 +66,7 @@ def said_from_the_body(text: str, mention: Mention, kind: str | None) -> tuple[C
         return Claim("length_cm", round(_SHOULDER_CM - level - _HANGS_CM, 1)), True
     if kind in ("top", "tunic") and place in ("waist", "hips", "crotch", "knee"):
         return Claim("length_cm", round(waist - level + _TO_THE_WAIST_CM, 1)), True
-    if kind in ("trousers", "shorts", "jumpsuit", "playsuit") and place in ("knee", "crotch", "ankle", "floor"):
+    if kind in _LEGGED and place not in ("waist", "hips"):
         return Claim("inseam_cm", round(_PLACES["crotch"][1] - level, 1)), True
     return None, True
 

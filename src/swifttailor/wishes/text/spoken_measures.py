@@ -43,17 +43,23 @@ _AT_ONCE = -20
 """What stands right before a number comes first: a "sleeve 25 cm long from the shoulder"."""
 _OF_ENDS = ("sleeve_cm", "cuff_cm", "collar_cm")
 _DETAILS = ("slit_cm", "cuff_cm", "waistband_cm")
-"""What a number at the beginning of an item is of, though a word stands between: "60 long, 15 cm back vent"."""
+"""What a number at the beginning of an item is of, though a word stands between: "15 cm back vent"."""
 _NUMBERED = re.compile(r"(?<!\w)(?:\d+|two|three|four|five|six|zwei|drei|vier|deux|trois|dos|tres) $")
 """Before what is counted already: "three tiers: 20, 25, 30"."""
 _ACROSS = re.compile(
     r"\s*(?:across|wide|in width|breit|de large|de ancho|breed|di larghezza|de largura)(?!\w)"
 )
-_INCHES = re.compile(r"[\"\u201d\u2033]|(?<!\w)(?:half|quarter|third).*inch|in(?:s|ch(?:es)?)?$", re.IGNORECASE)
+_INCHES = re.compile(
+    r"[\"\u201d\u2033]|(?<!\w)(?:half|quarter|third).*inch|in(?:s|ch(?:es)?)?$", re.IGNORECASE
+)
 _INCHES_OF_LENGTHS: Mapping[str, float] = {"length_cm": 38.0, "skirt_length_cm": 31.0}
 """Smaller numbers without a unit are in inches: "T-shirt, length 28"."""
 _SMALL = ("cuff_cm", "waistband_cm", "collar_cm", "leg_cuff_cm", "neck_depth_cm", "back_depth_cm")
-"""Small measures: numbers below 12 without a unit are theirs where they stand beside their names: "cuff 7"."""
+"""Numbers below 12 without a unit are theirs where they stand beside their names: "cuff 7"."""
+_SAYING, _ROUGHLY = (
+    re.compile(r"[^\W\d_]{3,}"),
+    re.compile(r"(?<!\w)(?:between|and|about|around|roughly)(?!\w)"),
+)
 _NEAR = 26
 """Characters between a number and what it is said of."""
 _BOUNDS = {
@@ -237,7 +243,7 @@ def _said_of(
     if comma >= 0 and _JUST_LONG.fullmatch(piece, piece.find(text[mention.start : mention.end])):
         near = [one for one in near if one[1] != "godet_cm"]  # "with six godets, 75 cm long"
     if not near:
-        alone = mention.is_length and len(re.findall(r"[^\W\d_]{3,}", piece)) <= 2
+        alone = mention.is_length and len(_SAYING.findall(_ROUGHLY.sub("", piece))) <= 2
         if alone and kind in ("skirt", "dress", "top", "tunic") and mention.value >= 20:
             if _RELATIVE.match(text, mention.end) is None:
                 name = "skirt_length_cm" if kind == "skirt" else "length_cm"

@@ -35,8 +35,8 @@ _EACH = re.compile(
 )
 """Figures for all tiers alike."""
 _LISTED = re.compile(
-    rf"\b{_TIER}s\b(?: (?:of|are|at|measure|measuring|that are|which are|being|each|high|deep))*\s*[:,(–-]?\s*"
-    r"(?P<list>\d{1,3}(?:[.,]\d)?(?: ?(?:cm|in(?:ch(?:es)?)?\b|\"))?"
+    rf"\b{_TIER}s\b(?: (?:of|are|at|measure|measuring|that are|which are|being|each|high|deep))*"
+    r"\s*[:,(–-]?\s*(?P<list>\d{1,3}(?:[.,]\d)?(?: ?(?:cm|in(?:ch(?:es)?)?\b|\"))?"
     r"(?:(?:\s*[,/+–-]\s*(?:and |then )?|\s+(?:and|then)\s+|\s*&\s*)\d{1,3}(?:[.,]\d)?"
     r"(?: ?(?:cm|in(?:ch(?:es)?)?\b|\"))?){1,5})(?![\w%])",
     re.IGNORECASE,
@@ -72,7 +72,10 @@ def tier_as_said(draft: NamedDraft, text: str) -> NamedDraft:
         length = min(max(round(each * tiers + band, 1), _SHORTEST_CM), _LONGEST_CM)
         return replace(draft, options=tuple({**options, "length": length}.items()))
     if len(heights := listed_tiers(text)[0]) > 1:
-        options |= {"length": min(max(round(sum(heights), 1), _SHORTEST_CM), _LONGEST_CM), _TIERS: len(heights)}
+        options |= {
+            "length": min(max(round(sum(heights), 1), _SHORTEST_CM), _LONGEST_CM),
+            _TIERS: len(heights),
+        }
         options[_FIRST] = round(min(max(heights[0], _LEAST_CM), _LONGEST_CM / 2), 1)
         return replace(draft, options=tuple(options.items()))
     whole = float(options.get("length", _USUAL_CM)) - band
