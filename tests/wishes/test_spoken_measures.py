@@ -28,7 +28,7 @@ def stated(text, kind):
         ("shorts, inseam anywhere from 18 to 22 cm", "shorts", {"inseam_cm": 20}),
         ("a skirt, about 70 cm", "skirt", {"skirt_length_cm": 70}),
         ("skirt, fitted to the thigh, 75 cm", "skirt", {"skirt_length_cm": 75}),
-        ("three tiers: 20, 25, 30", "skirt", {"tiers": 3}),
+        ("three tiers: 20, 25, 30", "skirt", {"tiers": 3, "skirt_length_cm": 75}),
         ("boat neck 28 cm across", "top", {}),
         ("skirt with six godets, 75 cm long", "skirt", {"godets": 6, "skirt_length_cm": 75}),
         ("the neckline a square one, exactly 16 cm deep from the shoulder", "dress", {"neck_depth_cm": 16}),

@@ -14,7 +14,7 @@ from swifttailor.errors import SwiftTailorError
 from swifttailor.recutting.alter import alter
 from swifttailor.tailor.answer import Answer
 from swifttailor.wishes.assumed.well_within import as_stated
-from swifttailor.wishes.text.spoken_measures import length_on
+from swifttailor.wishes.text.from_the_body import length_on
 
 LENGTHS = frozenset({"skirt_hem", "top_hem", "leg_hem", "sleeves", "left_sleeve", "right_sleeve"})
 """Claims about where a part of the garment ends on its wearer."""
@@ -23,6 +23,12 @@ LENGTHS = frozenset({"skirt_hem", "top_hem", "leg_hem", "sleeves", "left_sleeve"
 def _too_long(asked: Iterable[Gain], facts: GarmentFacts) -> tuple[Change, ...]:
     """By how much legs are longer than their inseam was stated: they would lie on the feet."""
     return as_stated([gain for gain in asked if gain.claim.name == "inseam_cm"], facts)
+
+
+def _without_open(answer: Answer, had: Iterable[Gain]) -> Answer:
+    """An answer of which some wishes are met after all."""
+    still = tuple([change for change in answer.verdict.open if change not in frozenset(had)])
+    return replace(answer, verdict=replace(answer.verdict, open=still))
 
 
 def with_lengths_kept(answer: Answer, body: Body) -> Answer:
@@ -38,7 +44,9 @@ def with_lengths_kept(answer: Answer, body: Body) -> Answer:
     if wanted is None or wanted.order.edit is not None:
         return answer
     asked = [w.change for w in wanted.wishes if w not in wanted.seen and isinstance(w.change, Gain)]
-    met = [gain for gain in asked if gain not in answer.verdict.open]
+    # What the default body could not wear, another can: a dress of 60 cm is a child's.
+    others = [gain for gain in asked if gain in answer.verdict.open and gain.claim.name in STATED]
+    met = [gain for gain in asked if gain not in answer.verdict.open or gain in others]
     lengths = [gain for gain in met if gain.claim.name in LENGTHS or gain.claim.name in STATED]
     if not lengths:
         return answer
@@ -50,6 +58,8 @@ def with_lengths_kept(answer: Answer, body: Body) -> Answer:
             for gain in met
         }
         lost = [gain for gain in lengths if not own[gain].holds(facts, facts)]
+        if others and not lost:
+            answer = _without_open(answer, others)
         if not lost and not _too_long(own.values(), facts):
             return answer
         held = [own[gain] for gain in met if own[gain].holds(facts, facts)]
@@ -66,7 +76,8 @@ def with_lengths_kept(answer: Answer, body: Body) -> Answer:
             return answer
     except SwiftTailorError:
         return answer
-    missing = tuple([gain for gain in lost if own[gain] in cut.open])
+    missing = tuple([gain for gain in lost if own[gain] in cut.open and gain not in others])
+    answer = _without_open(answer, [gain for gain in others if own[gain] not in cut.open])
     return replace(
         answer,
         pattern=cut.pattern,

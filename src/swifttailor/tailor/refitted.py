@@ -4,14 +4,18 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+import numpy as np
+
 from swifttailor.body import Body
 from swifttailor.errors import SwiftTailorError
 from swifttailor.pattern import Pattern
 from swifttailor.tailor.answer import Answer
+from swifttailor.tailor.large_drafts import drafted_for_large
 from swifttailor.tailor.room_for_necks import with_room_for_the_neck
 
 _LARGE, _SHORT_CM = 1.3, 30.0
 """Times the bust of the default body; sleeves, shoulder tip to end."""
+_CLOSED_CM, _TRIANGLE = 0.05, 3
 
 
 def refitted(answer: Answer, body: Body) -> Answer:
@@ -19,19 +23,26 @@ def refitted(answer: Answer, body: Body) -> Answer:
 
     Sleeves that are cut in one with the body would grow as the trunk does and point past the arms, and short
     ones of very large bodies would grow by a third and fold under on the shoulders: where nothing else was
-    cut, such a pattern is drafted anew.
+    cut, such a pattern is drafted anew. So is one of which a panel crosses itself when it is refitted, as
+    where a dart closes; lengths that are asked for are cut again afterwards (`lengths_kept`).
 
     Raises:
         SwiftTailorError: Its pattern cannot be sewn, or the body cannot be measured.
     """
     from swifttailor.refitting.refitted import fit
+    from swifttailor.refitting.uncrossed import damaged
 
     if body.made_for is not None and answer.pattern.drafted_for == body.made_for:
         return answer
-    pattern = _drafted_anew(answer, body)
+    pattern = drafted_for_large(answer, body)
+    if pattern is None and _is_better_anew(answer, body):
+        pattern = _drafted_anew(answer, body)
     if pattern is None:
         roomy = with_room_for_the_neck(answer.pattern, body)
-        pattern = _levelled(fit(roomy, body), answer.pattern)
+        grown = fit(roomy, body)
+        unsound = damaged(roomy, grown) or _has_closed_darts(grown)
+        anew = _drafted_anew(answer, body) if unsound else None
+        pattern = anew or _levelled(grown, answer.pattern)
     return replace(answer, pattern=pattern, prepared=None, fitted_to=body.name)
 
 
@@ -56,10 +67,24 @@ def _outgrows_short_sleeves(pattern: Pattern, body: Body) -> bool:
     return len(sleeves) == 2 and all(one.length <= _SHORT_CM for one in sleeves)
 
 
-def _drafted_anew(answer: Answer, body: Body) -> Pattern | None:
-    """The draft of an answer, made for a body; None where it is to be refitted."""
+def _has_closed_darts(pattern: Pattern) -> bool:
+    """Whether both legs of a dart lie on each other, so that its panel cannot be meshed."""
+    corners = [panel.vertices for panel in pattern.panels if len(panel.vertices) > _TRIANGLE]
+    return any(np.linalg.norm(one - np.roll(one, -2, axis=0), axis=1).min() < _CLOSED_CM for one in corners)
+
+
+def _is_better_anew(answer: Answer, body: Body) -> bool:
+    """Whether what was drafted, and cut no further, grows otherwise than it is to."""
     begun = answer.drafted
-    if begun is None or answer.cuts or not (begun.has_wings or _outgrows_short_sleeves(answer.pattern, body)):
+    if begun is None or answer.cuts:
+        return False
+    return begun.has_wings or _outgrows_short_sleeves(answer.pattern, body)
+
+
+def _drafted_anew(answer: Answer, body: Body) -> Pattern | None:
+    """The draft of an answer, made for a body; None where there is none with the same panels."""
+    begun = answer.drafted
+    if begun is None:
         return None
     made = begun.made_for(body.measurements)
     if [panel.name for panel in made.panels] != [panel.name for panel in answer.pattern.panels]:

@@ -44,12 +44,14 @@ _THREE_QUARTERS = re.compile(
     r"(?![ -]*(?:length |long )?(?:sleeve|arm|circle))",
     re.IGNORECASE,
 )
+_NO_FIGURE = r"(?<!\d )(?<!cm )(?<!inches )(?<!inch )(?<!metres )"
 _LONG_BEFORE = re.compile(
     rf"(?<![\w-])(?<!not )(?<!too )long{_OF_PARTS},? (?P<name>(?:{_WORD} ){{1,3}}?{_CLOTH_COAT})(?!\w)",
     re.IGNORECASE,
 )
 _LONG_BEHIND = re.compile(
-    rf"(?<![\w-])(?P<name>{_CLOTH_COAT}(?:[ ,]+{_WORD}){{0,2}}?)[ ,]+long{_OF_PARTS}(?= *(?:[.,;!?]|$))",
+    rf"(?<![\w-])(?P<name>{_CLOTH_COAT}(?:[ ,]+{_WORD}){{0,2}}?)[ ,]+{_NO_FIGURE}long{_OF_PARTS}"
+    r"(?= *(?:[.,;!?]|$))",
     re.IGNORECASE,
 )
 """A long coat ends at the ankles: one to the floor would be trodden on."""

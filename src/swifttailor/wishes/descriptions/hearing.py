@@ -16,6 +16,7 @@ from swifttailor.describing.differences import Change, Gain
 from swifttailor.networks.beside import beside
 from swifttailor.wishes.corrections.closed_behind import without_opposites
 from swifttailor.wishes.corrections.deep_cuffs import without_deep_cuffs
+from swifttailor.wishes.corrections.full_hems import shapes_by_figures
 from swifttailor.wishes.corrections.long_names import (
     against_names,
     against_phrases,
@@ -62,6 +63,7 @@ from swifttailor.wishes.outfits.side_remarks import without_side_remarks
 from swifttailor.wishes.reader import Wish, WishReader
 from swifttailor.wishes.text.accounting import subjects_spoken_of, unaccounted
 from swifttailor.wishes.text.complaints import without_complaints
+from swifttailor.wishes.text.figures_plainly import figures_plainly
 from swifttailor.wishes.text.leg_figures import (
     not_of_legs,
     spans_of_told_shapes,
@@ -102,7 +104,7 @@ def hear_description(text: str, reader: WishReader, *, alone: bool = True) -> He
 
 def _described(text: str, reader: WishReader, *, alone: bool) -> Heard:
     """The same without looks of parts."""
-    text = of_one_half(without_complaints(glossed(text)))
+    text = of_one_half(without_complaints(glossed(figures_plainly(text))))
     heard = _heard_description(text, reader)
     meant = worn_for(heard) if alone else None
     if meant is not None:
@@ -190,6 +192,9 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
             never=unsaid,
             subjects=_only_subjects(words),
         )
+    implied = [i.claim for i in words.implications if i.said or i.certainty == "certain"]
+    found = [w for w in found if _is_implied(w, implied) or not _is_told_in_figures(w, said)]
+    found = shapes_by_figures(found)
     found = within_the_name(without_wrong_kind(found, said, words), words, said)
     found = weighed_all(with_one_band(found, words), {i.claim for i in words.implications if not i.said})
     found = without_flared_legs(found, [e for m in words.marks if not m.denied for e in m.entries])
@@ -206,8 +211,10 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
     counted = " ".join(
         [*words.sizes, f"{buttons_stated(text) or ''}", *[text[m.start : m.end] for m in heard]]
     )
+    names = [m.words for m in measures if m.claim is not None]
+    unknown = [word for word in words.unknown if not _is_within(word, text, names)]
     unread = (
-        *not_of_buttons(text, not_of_legs(text, words.unknown)),
+        *not_of_buttons(text, not_of_legs(text, unknown)),
         *[n for n in unread_numbers(text, changes) if n not in counted],
     )
     sure, likely = sure_wishes(found), likely_wishes(found)
@@ -218,12 +225,18 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
         [m.mention.end for m in measures],
         compared=hem is not None or bool(bounds),
         told=[
-            *[*sides.spans, *levels.spans, *spans_of_looks(text, words), *spans_of_big_buttons(text)],
+            *[*names, *sides.spans, *levels.spans, *spans_of_looks(text, words), *spans_of_big_buttons(text)],
             *spans_of_told_shapes(text, words, [c.claim.name for c in changes if isinstance(c, Gain)]),
         ],
     )
     unread, lacks = (*unread, *silent), lacks_of(words, changes, measures)
     return Heard(text, sure, likely, never, unread, lacks, words, clashes=clashing_levels(text, words, named))
+
+
+def _is_within(word: str, text: str, spans: Sequence[tuple[int, int]]) -> bool:
+    """Whether a word stands nowhere but in what figures are said of."""
+    found = list(re.finditer(rf"(?<!\w){re.escape(word)}(?!\w)", text))
+    return bool(found) and all(any(start <= m.start() < end for start, end in spans) for m in found)
 
 
 def _kind_named_alone(text: str, words: WordReading) -> list[Implication]:
@@ -317,11 +330,12 @@ _LOWER_KINDS = frozenset({"skirt", "trousers", "shorts"})
 _BARE_SHOULDERS = Claim("shoulders", "strapless")
 """Where a word makes this no more than usual, as a heart does, sleeves that are named cover them."""
 _TOPICS = {
-    "leg_width_cm": "legs",
-    "sleeve_width_cm": "sleeve_shape",
-    "neck_depth_cm": "neck_depth",
-    "skirt_length_cm": "skirt_hem",
-    "inseam_cm": "leg_hem",
+    "leg_width_cm": ("legs",),
+    "sleeve_width_cm": ("sleeve_shape",),
+    "neck_depth_cm": ("neck_depth",),
+    "skirt_length_cm": ("skirt_hem",),
+    "length_cm": ("skirt_hem", "top_hem"),
+    "inseam_cm": ("leg_hem",),
 }
 """What measures speak of in figures."""
 
@@ -333,8 +347,17 @@ def _is_outdone(wish: Wish, said: Sequence[Claim], never: Sequence[Claim]) -> bo
     claim = wish.change.claim
     if claim in never or any(exclude(claim, other) for other in said):
         return True
-    topics = {_TOPICS.get(other.name) for other in said}
-    return claim.name in topics and wish.certainty < SURENESS["certain"]
+    return _is_told_in_figures(wish, said) and wish.certainty < SURENESS["certain"]
+
+
+def _is_told_in_figures(wish: Wish, said: Sequence[Claim]) -> bool:
+    """Whether it says in words what figures say."""
+    topics = {topic for other in said for topic in _TOPICS.get(other.name, ())}
+    return isinstance(wish.change, Gain) and wish.change.claim.name in topics
+
+
+def _is_implied(wish: Wish, implied: Sequence[Claim]) -> bool:
+    return not isinstance(wish.change, Gain) or wish.change.claim in implied
 
 
 def _is_measured(wish: Wish, measures: Sequence[SpokenMeasure]) -> bool:

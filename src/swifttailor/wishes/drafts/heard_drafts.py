@@ -48,6 +48,7 @@ from swifttailor.wishes.drafts.slight_flares import slightly_flared_as_said
 from swifttailor.wishes.drafts.straight_edges import straight_as_said
 from swifttailor.wishes.drafts.swimsuits_as_asked import on_a_halter
 from swifttailor.wishes.drafts.tiers_as_asked import tiers_as_asked
+from swifttailor.wishes.drafts.told_measures import as_told, full_by_figures
 from swifttailor.wishes.drafts.tops_to_the_legs import is_long_top, to_the_legs_as_said
 from swifttailor.wishes.drafts.wound_skirts import wound_as_asked
 from swifttailor.wishes.drafts.yoked_skirts import YOKE, yoke_as_asked
@@ -144,6 +145,7 @@ def drafts_of(heard: Heard) -> tuple[NamedDraft, ...]:
     fitting = [with_shirt_collar(draft, heard.text, lacks) for draft in fitting]
     fitting = [flare_as_said(short_flounce_as_asked(draft, sure), heard.text, sure) for draft in fitting]
     fitting = [tiers_as_asked(godets_as_asked(draft, sure), sure) for draft in fitting]
+    fitting = [as_told(draft, sure) for draft in fitting]
     fitting = [bubble_as_asked(draft, heard.lacks, sure) for draft in fitting]
     fitting = [wrapped_close_as_asked(draft, sure) for draft in wound_as_asked(fitting, sure)]
     fitting = [pleats_as_asked(draft, heard.lacks, sure) for draft in fitting]
@@ -190,6 +192,7 @@ def _sure_claims(heard: Heard) -> list[Claim]:
     sure = _told_claims(heard)
     sure += [] if any(claim.name in _AT_SHOULDERS for claim in sure) else _likely_bare(heard)
     sure += [claim for claim in _moods(heard) if not any(claim.name == c.name for c in sure)]
+    sure += full_by_figures(heard.kind, sure)
     sure += _standing_necks(heard) if not any(claim.name in _NECKS for claim in sure) else []
     if _refuses_full_skirts(heard) and not any(c.name == "skirt" for c in sure):
         sure.append(_STRAIGHT)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from swifttailor.describing.claims import Claim
@@ -19,6 +19,9 @@ _OVER_HEM_CM = 8.0
 _WIDE_CM = 30.0
 """Legs with so much room are narrowed as wide ones are."""
 _SHORTS_CM = 66.0
+_FLARES, _FLARES_ROOM_CM = "flares", 9.0
+_FLARES_CM: tuple[float, float] = (8.0, 40.0)
+"""By how much their hem is wider than their knee."""
 
 
 def legs_as_measured(draft: NamedDraft, text: str, claims: Sequence[Claim]) -> NamedDraft:
@@ -45,4 +48,19 @@ def legs_as_measured(draft: NamedDraft, text: str, claims: Sequence[Claim]) -> N
             options["leg_ease"] = round(min(max(wide - _LEG_CM, _LEAST_CM), _MOST_CM), 1)
             told = min(flare, 0.0) if hem is None else hem - wide
             options["flare"] = round(min(max(told, _NARROWS_CM), _WIDENS_CM), 1)
+    if draft.name == _FLARES:
+        options |= _flares_by_figures(options, knee_cm(text), claims)
     return draft if options == dict(draft.options) else replace(draft, options=tuple(options.items()))
+
+
+def _flares_by_figures(
+    own: Mapping[str, float | bool | str], knee: float | None, claims: Sequence[Claim]
+) -> dict[str, float]:
+    """Room at the knee and width of the hem of flares, where they are told."""
+    hems = [float(c.value) for c in claims if c.name == "leg_width_cm" and not isinstance(c.value, str)]
+    room = float(own.get("leg_ease", _FLARES_ROOM_CM)) if knee is None else max(knee - _LEG_CM, _LEAST_CM)
+    found = {} if knee is None else {"leg_ease": round(room, 1)}
+    if hems:
+        least, most = _FLARES_CM
+        found["flare"] = round(min(max(hems[0] - _LEG_CM - room, least), most), 1)
+    return found

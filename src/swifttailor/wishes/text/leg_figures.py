@@ -26,7 +26,8 @@ def _said_of(part: str, behind: str) -> tuple[re.Pattern[str], ...]:
     )
 
 
-_RISE = _said_of(r"rise|leibhöhe", r"(?:front\s+)?")
+_RISE = _said_of(r"rise|leibhöhe|tiro(?! interior)|montant", r"(?:front\s+)?")
+_RISES = ("rise", "leibhöhe", "tiro", "montant")
 _KNEE = _said_of(r"knees?|kniew\w+|genoux?|rodilla|ginocchio", r"(?:at|around|round)\s+(?:the\s+)?")
 _RISES_CM, _KNEES_CM = (14.0, 40.0), (30.0, 110.0)
 """What rises and widths at the knee may be, cm."""
@@ -68,7 +69,7 @@ def leg_figures(text: str) -> tuple[tuple[int, int], ...]:
 def not_of_legs(text: str, unknown: Iterable[str]) -> tuple[str, ...]:
     """Words that no table has, but that of a rise that is told."""
     told = below_waist_cm(text) is not None
-    return tuple([word for word in unknown if not (told and word.lower() in ("rise", "leibhöhe"))])
+    return tuple([word for word in unknown if not (told and word.lower() in _RISES)])
 
 
 def without_told_shapes(text: str, found: Iterable[Wish]) -> tuple[Wish, ...]:

@@ -28,7 +28,7 @@ _HALF = r"(?: and a half(?! (?:circle|moon))(?!\w))?"
 _FIGURE = r"\d{1,5} \d/\d|\d/\d|\d{1,5}(?:[.,]\d{1,3})?"
 # Not inside of a word or a longer number; "in" is no unit in "6 in the front".
 _MENTION = re.compile(
-    rf"(?<![\w.,/])(?:(?P<figure>{_FIGURE})(?:[ -]?(?P<unit>{_UNIT})(?!\w)(?! (?:the|front|back|one)\b))?"
+    rf"(?<![\w.,/])(?:(?P<figure>{_FIGURE})(?:[ -]?(?!in (?:the|front|back|one)\b)(?P<unit>{_UNIT})(?!\w))?"
     rf"|(?P<few>an?|a couple(?: of)?|a few) (?P<few_unit>{_SPOKEN_SMALL})(?P<few_half>{_HALF})"
     rf"|(?P<part>half|(?:a )?third|(?:a )?quarter)(?: of)? an? (?P<whole>{_SPOKEN})"
     rf"|(?P<word>{'|'.join(_COUNTS)})(?:(?P<half> and a half)?[ -](?P<words_unit>{_SPOKEN}|cms?|mm))?)"

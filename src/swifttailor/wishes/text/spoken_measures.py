@@ -7,17 +7,19 @@ relation to the body ("two inches above the knee") as the length that leads ther
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
 from functools import cache, lru_cache
 from pathlib import Path
 
 from swifttailor.describing.claims import CLAIM_TYPES, Claim
 from swifttailor.describing.differences import Change, Gain
-from swifttailor.describing.facts import LandmarkFacts
 from swifttailor.inches import CM_PER_INCH
+from swifttailor.wishes.text.flat_widths import all_around
+from swifttailor.wishes.text.from_the_body import said_from_the_body
 from swifttailor.wishes.text.mentions import Mention, find_mentions
 from swifttailor.wishes.text.spoken_depths import spoken_depth
+from swifttailor.wishes.text.tier_heights import listed_tiers
 from swifttailor.wording.word_tables import read_table
 
 _TABLE = Path(__file__).with_name("measure_words.txt")
@@ -26,16 +28,10 @@ _BETWEEN = re.compile(r"between\s*$", re.IGNORECASE)
 _CLAUSE = re.compile(
     r"[;:\n]|\.(?=\s|$)|,(?!\d)|(?<!\w)(?:and|with|und|mit|et|avec|y|con|met|com)(?!\w)", re.IGNORECASE
 )
-_KNEE = re.compile(r"\s*(?P<way>above|over|below|under)\s+(?:the|my|her|your)?\s*knees?(?!\w)", re.IGNORECASE)
-_FLOOR = re.compile(r"\s*(?:above|off|from)\s+(?:the\s+)?(?:floor|ground)(?!\w)", re.IGNORECASE)
 _RELATIVE = re.compile(
     r"\s*(?:above|over|below|under|past|from|off|higher|lower|longer|shorter)(?!\w)", re.IGNORECASE
 )
 _OFF = re.compile(r"\s*(?:off|more|less|extra|plus|minus)(?!\w)", re.IGNORECASE)
-_KNEE_CM, _SHOULDER_CM, _WAIST_CM, _NECK_CM = 45.9, 144.5, 108.8, 145.7
-"""Heights of the default body."""
-_HANGS_CM = 2.5
-"""So much lower than on their patterns dresses end on the body."""
 _CROTCH_CM = 32.0
 """How far below the waist its crotch is."""
 _OUTSEAM = "outseam_cm"
@@ -46,10 +42,23 @@ _INCHES_BELOW = 40.0
 _AT_ONCE = -20
 """What stands right before a number comes first: a "sleeve 25 cm long from the shoulder"."""
 _OF_ENDS = ("sleeve_cm", "cuff_cm", "collar_cm")
+_DETAILS = ("slit_cm", "cuff_cm", "waistband_cm")
+"""What a number at the beginning of an item is of, though a word stands between: "15 cm back vent"."""
 _NUMBERED = re.compile(r"(?<!\w)(?:\d+|two|three|four|five|six|zwei|drei|vier|deux|trois|dos|tres) $")
 """Before what is counted already: "three tiers: 20, 25, 30"."""
 _ACROSS = re.compile(
     r"\s*(?:across|wide|in width|breit|de large|de ancho|breed|di larghezza|de largura)(?!\w)"
+)
+_INCHES = re.compile(
+    r"[\"\u201d\u2033]|(?<!\w)(?:half|quarter|third).*inch|in(?:s|ch(?:es)?)?$", re.IGNORECASE
+)
+_INCHES_OF_LENGTHS: Mapping[str, float] = {"length_cm": 38.0, "skirt_length_cm": 31.0}
+"""Smaller numbers without a unit are in inches: "T-shirt, length 28"."""
+_SMALL = ("cuff_cm", "waistband_cm", "collar_cm", "leg_cuff_cm", "neck_depth_cm", "back_depth_cm")
+"""Numbers below 12 without a unit are theirs where they stand beside their names: "cuff 7"."""
+_SAYING, _ROUGHLY = (
+    re.compile(r"[^\W\d_]{3,}"),
+    re.compile(r"(?<!\w)(?:between|and|about|around|roughly)(?!\w)"),
 )
 _NEAR = 26
 """Characters between a number and what it is said of."""
@@ -77,11 +86,8 @@ class SpokenMeasure:
     mention: Mention
     claim: Claim | None
     """None where it is a measure that is not made."""
-
-
-_FOOT_CM = 26.0
-_FLAT = re.compile(r"(?<!\w)(?:openings?|flat)(?!\w)")
-"""Openings of legs that no foot goes through are measured across, laid flat."""
+    words: tuple[int, int] = (0, 0)
+    """From where to where the words stand that say what it is of."""
 
 
 def can_measure(change: Change) -> bool:
@@ -103,14 +109,20 @@ def spoken_measures(text: str, kind: str | None) -> list[SpokenMeasure]:
     numbers = _with_ranges(small, find_mentions(text))
     found: list[SpokenMeasure] = []
     corrected = [m.end() for m in _words("corrections").finditer(re.sub(r"[^\w\s]", " ", small))]
+    heights, (first, last_tier) = listed_tiers(small)
+    if heights:
+        found += _of_tiers(heights, [m for m in numbers if first <= m.start < last_tier], kind)
+    inches = _all_in_inches(text, numbers)
     for k, mention in enumerate(numbers):
+        if heights and first <= mention.start < last_tier:
+            continue
         count = _count(small, mention)
         if count is not None:
             found.append(count)
             continue
-        said = _relative(small, mention, kind)
-        if said is not None:
-            found.append(said)
+        ends, told = said_from_the_body(small, mention, kind)
+        if told:
+            found.append(SpokenMeasure(mention, ends))
             continue
         if _OFF.match(small, mention.end):
             continue
@@ -119,14 +131,28 @@ def spoken_measures(text: str, kind: str | None) -> list[SpokenMeasure]:
             found.append(SpokenMeasure(mention, depth))
             continue
         start, end = _bounds(small, mention, numbers, k)
-        claim, known = _said_of(small, mention, (start, end), kind)
-        if known:
-            found.append(SpokenMeasure(mention, claim))
+        said = _said_of(small, mention, (start, end), kind, inches=inches)
+        if said is not None:
+            found.append(said)
     last = max(corrected, default=0)
     behind = [f for f in found if f.mention.start >= last and f.claim is not None]
     if last and behind:
         found = [f if f.mention.start >= last else SpokenMeasure(f.mention, None) for f in found]
     return found
+
+
+def _of_tiers(heights: Sequence[float], numbers: Sequence[Mention], kind: str | None) -> list[SpokenMeasure]:
+    """What a list of heights of tiers says: how many there are and how long a skirt is."""
+    claims: list[Claim | None] = [Claim("tiers", float(len(heights)))]
+    claims += [Claim("skirt_length_cm", round(sum(heights), 1))] if kind in ("skirt", None) else [None]
+    claims += [None] * len(numbers)
+    return [SpokenMeasure(m, claim) for m, claim in zip(numbers, claims, strict=False)]
+
+
+def _all_in_inches(text: str, numbers: Sequence[Mention]) -> bool:
+    """Whether all numbers with a unit are in inches: then so are those without one."""
+    said = [text[m.start : m.end] for m in numbers if m.is_length]
+    return bool(said) and all(_INCHES.search(one) for one in said)
 
 
 def _with_ranges(text: str, mentions: Sequence[Mention]) -> list[Mention]:
@@ -176,50 +202,6 @@ def _count(text: str, mention: Mention) -> SpokenMeasure | None:
     return None
 
 
-def _relative(text: str, mention: Mention, kind: str | None) -> SpokenMeasure | None:
-    """A length that is said from the knee or the floor."""
-    if not mention.is_length:
-        return None
-    knee, floor = _KNEE.match(text, mention.end), _FLOOR.match(text, mention.end)
-    if knee is None and floor is None:
-        return None
-    if knee is not None:
-        level = _KNEE_CM + mention.value * (1 if knee["way"] in ("above", "over") else -1)
-    else:
-        level = mention.value
-    if kind == "skirt":
-        return SpokenMeasure(mention, Claim("skirt_length_cm", round(_WAIST_CM - level, 1)))
-    if kind == "dress":
-        return SpokenMeasure(mention, Claim("length_cm", round(_SHOULDER_CM - level - _HANGS_CM, 1)))
-    return SpokenMeasure(mention, None)
-
-
-def length_on(text: str, claim: Claim, body: LandmarkFacts) -> Claim:
-    """A stated length as it is on another body, where the text says it from the knee or the floor.
-
-    Args:
-        text: It is said in.
-        claim: A length, as `spoken_measures` states it, of the default body.
-        body: Whose heights count.
-    """
-    top = {
-        "length_cm": (_SHOULDER_CM, body.neck - _NECK_CM + _SHOULDER_CM),
-        "skirt_length_cm": (_WAIST_CM, body.waist),
-    }
-    if claim.name not in top:
-        return claim
-    told = [
-        (_KNEE_CM, body.knee) if _KNEE.match(text, mention.end) else (0.0, 0.0)
-        for mention in find_mentions(text)
-        if mention.is_length and (_KNEE.match(text, mention.end) or _FLOOR.match(text, mention.end))
-    ]
-    if len(told) != 1:
-        return claim
-    (usual_end, own_end), (usual_top, own_top) = told[0], top[claim.name]
-    longer = (own_top - own_end) - (usual_top - usual_end)
-    return Claim(claim.name, round(float(claim.value) + longer, 1))
-
-
 def _bounds(text: str, mention: Mention, numbers: Sequence[Mention], k: int) -> tuple[int, int]:
     """The stretch of text in which the word for a number stands."""
     start = numbers[k - 1].end if k else 0
@@ -232,13 +214,13 @@ def _bounds(text: str, mention: Mention, numbers: Sequence[Mention], k: int) -> 
 
 
 def _said_of(
-    text: str, mention: Mention, bounds: tuple[int, int], kind: str | None
-) -> tuple[Claim | None, bool]:
+    text: str, mention: Mention, bounds: tuple[int, int], kind: str | None, *, inches: bool
+) -> SpokenMeasure | None:
     start, end = bounds
     comma = text.rfind(", ", start, mention.start)
     begins = comma >= 0 and not text[comma + 1 : mention.start].strip()
-    near: list[tuple[int, str, int]] = []
-    its_own: list[tuple[int, str, int]] = []
+    near: list[tuple[int, str, int, tuple[int, int]]] = []
+    its_own: list[tuple[int, str, int, tuple[int, int]]] = []
     for rank, (claim, kinds, pattern) in enumerate(_measures()):
         if kinds and kind not in kinds:
             continue
@@ -250,8 +232,9 @@ def _said_of(
                 behind = match.start() >= mention.end
                 words = len(text[mention.end : match.start()].split()) if behind else 0
                 at_once = _AT_ONCE if claim in _OF_ENDS and not behind and gap <= 1 else 0
-                near.append((gap - len(match[0]) + (3 * words if behind else at_once), claim, rank))
-                if begins and behind and not words and claim != "none":
+                weight = gap - len(match[0]) + (3 * words if behind else at_once)
+                near.append((weight, claim, rank, match.span()))
+                if begins and behind and (words <= 1 if claim in _DETAILS else not words and claim != "none"):
                     its_own.append(near[-1])
     near = its_own or near  # "knee length, 15 cm slit behind" says nothing more of the length
     piece = text[start if comma < 0 else comma + 1 : end].strip(" .,!?")
@@ -260,36 +243,37 @@ def _said_of(
     if comma >= 0 and _JUST_LONG.fullmatch(piece, piece.find(text[mention.start : mention.end])):
         near = [one for one in near if one[1] != "godet_cm"]  # "with six godets, 75 cm long"
     if not near:
-        alone = mention.is_length and len(re.findall(r"[^\W\d_]{3,}", piece)) <= 2
+        alone = mention.is_length and len(_SAYING.findall(_ROUGHLY.sub("", piece))) <= 2
         if alone and kind in ("skirt", "dress", "top", "tunic") and mention.value >= 20:
             if _RELATIVE.match(text, mention.end) is None:
-                return Claim(
-                    "skirt_length_cm" if kind == "skirt" else "length_cm", _exact(text, mention)
-                ), True
+                name = "skirt_length_cm" if kind == "skirt" else "length_cm"
+                return SpokenMeasure(mention, Claim(name, _exact(text, mention)))
         most = _CROTCH_CM + _BOUNDS["inseam_cm"][1]  # beyond, it is the wearer's height
         if alone and kind in ("trousers", "shorts") and _CROTCH_CM < mention.value <= most:
-            return Claim("inseam_cm", round(_exact(text, mention) - _CROTCH_CM, 2)), True
-        return None, False
-    _, claim, _ = min(near)
-    if claim in ("neck_depth_cm", "back_depth_cm") and _ACROSS.match(text, mention.end):
-        return None, mention.is_length
-    if claim == "none":
-        return None, mention.is_length
+            return SpokenMeasure(mention, Claim("inseam_cm", round(_exact(text, mention) - _CROTCH_CM, 2)))
+        return None
+    _, claim, _, words_of = min(near)
+    across = claim in ("neck_depth_cm", "back_depth_cm") and _ACROSS.match(text, mention.end)
+    if across or claim == "none":
+        return SpokenMeasure(mention, None) if mention.is_length else None
     value = _exact(text, mention)
+    if not mention.is_length and (inches or value < _INCHES_OF_LENGTHS.get(claim, 0.0)):
+        value = round(value * CM_PER_INCH, 2)
+        mention = replace(mention, value=value, is_length=True)
     if claim == _OUTSEAM:
         claim = "inseam_cm"
         if mention.is_length or value > _INCHES_BELOW:
             value = round(value - _CROTCH_CM, 2)
     if not mention.is_length and claim == "inseam_cm" and value < _INCHES_BELOW and kind != "shorts":
         value = round(value * CM_PER_INCH, 2)
-    if claim == "leg_width_cm" and value < _FOOT_CM and _FLAT.search(text, start, end):
-        value = round(2 * value, 2)
+    value = all_around(claim, value, text[start:end])
     if claim in _LONGEST and value > _LONGEST[claim] and _HEM.search(text, start, end):
         claim = "hem_cm"  # no skirt is so long: "flare the hem to 320 cm"
     least, most = _BOUNDS.get(claim, _USUAL)
-    if not least <= value <= most or (not mention.is_length and value < 12):
-        return None, False
-    return Claim(claim, value), True
+    beside = claim in _SMALL and -1 <= mention.start - words_of[1] <= 2
+    if not least <= value <= most or (not mention.is_length and value < 12 and not beside):
+        return None
+    return SpokenMeasure(mention, Claim(claim, value), words_of)
 
 
 def _exact(text: str, mention: Mention) -> float:

@@ -34,6 +34,15 @@ _EACH = re.compile(
     re.IGNORECASE,
 )
 """Figures for all tiers alike."""
+_LISTED = re.compile(
+    rf"\b{_TIER}s\b(?: (?:of|are|at|measure|measuring|that are|which are|being|each|high|deep))*"
+    r"\s*[:,(–-]?\s*(?P<list>\d{1,3}(?:[.,]\d)?(?: ?(?:cm|in(?:ch(?:es)?)?\b|\"))?"
+    r"(?:(?:\s*[,/+–-]\s*(?:and |then )?|\s+(?:and|then)\s+|\s*&\s*)\d{1,3}(?:[.,]\d)?"
+    r"(?: ?(?:cm|in(?:ch(?:es)?)?\b|\"))?){1,5})(?![\w%])",
+    re.IGNORECASE,
+)
+"""Heights of tiers one after the other: "tiers 18, 22 and 26 cm"."""
+_LISTED_CM = (5.0, 70.0)
 _SHORTEST_CM, _LONGEST_CM = 36.0, 100.0
 _TIMES: Mapping[str, float] = {
     **dict.fromkeys(("twice", "two times", "double", "2x", "2 times"), 2.0),
@@ -62,6 +71,13 @@ def tier_as_said(draft: NamedDraft, text: str) -> NamedDraft:
     if (each := _each(text)) is not None:
         length = min(max(round(each * tiers + band, 1), _SHORTEST_CM), _LONGEST_CM)
         return replace(draft, options=tuple({**options, "length": length}.items()))
+    if len(heights := listed_tiers(text)[0]) > 1:
+        options |= {
+            "length": min(max(round(sum(heights), 1), _SHORTEST_CM), _LONGEST_CM),
+            _TIERS: len(heights),
+        }
+        options[_FIRST] = round(min(max(heights[0], _LEAST_CM), _LONGEST_CM / 2), 1)
+        return replace(draft, options=tuple(options.items()))
     whole = float(options.get("length", _USUAL_CM)) - band
     first = _told(text, tiers, whole)
     if first is None and tiers == 2:
@@ -74,9 +90,28 @@ def tier_as_said(draft: NamedDraft, text: str) -> NamedDraft:
 
 
 @lru_cache(maxsize=64)
+def listed_tiers(text: str) -> tuple[tuple[float, ...], tuple[int, int]]:
+    """Heights of tiers that are told one after the other, cm, and where; none where they are not.
+
+    Args:
+        text: In any case.
+    """
+    found = _LISTED.search(text)
+    if found is None:
+        return (), (0, 0)
+    said = found["list"].lower()
+    scale = 2.54 if re.search(r"in|\"", said) else 1.0
+    heights = tuple([float(n.replace(",", ".")) * scale for n in re.findall(r"\d+(?:[.,]\d(?!\d))?", said)])
+    if len(heights) > 6 or not all(_LISTED_CM[0] <= height <= _LISTED_CM[1] for height in heights):
+        return (), (0, 0)
+    return heights, found.span("list")
+
+
+@lru_cache(maxsize=64)
 def tier_figures(text: str) -> tuple[tuple[int, int], ...]:
     """Where figures stand that tell how high a tier is: start and end of each."""
     each = [(m.start(_of(m, "number")), m.end(_of(m, "unit"))) for m in _EACH.finditer(text)]
+    each += [listed_tiers(text)[1]] if listed_tiers(text)[0] else []
     return (*[(m.start("number"), m.end("unit")) for m in _MEASURED.finditer(text)], *each)
 
 

@@ -10,6 +10,7 @@ from functools import lru_cache
 from swifttailor.body.size_charts import find_size
 from swifttailor.body.wearer import Wearer
 from swifttailor.inches import CM_PER_INCH
+from swifttailor.wishes.text.figures_plainly import figures_plainly
 from swifttailor.wishes.wearers.body_ages import OF_AGES, SMALLEST, hear_age
 from swifttailor.wishes.wearers.body_arms import hear_arms
 from swifttailor.wishes.wearers.body_builds import hear_build
@@ -101,7 +102,7 @@ def hear_wearer(text: str, *, instruction: bool = False) -> HeardWearer:
         text: Description or instruction.
         instruction: Whether it says what to change, so that girths are the garment's and not the wearer's.
     """
-    text = with_grown_girls(_with_metric_heights(text))
+    text = with_grown_girls(_with_metric_heights(text if instruction else figures_plainly(text)))
     hidden = hide_others(text if instruction else with_finished_chest(text))
     text = hidden.text
     said = SaidBody(text)
