@@ -36,6 +36,7 @@ def heard():
         ("breastfeeding t-shirt", "wrap-top", {}),
         ("top I can breastfeed in", "wrap-top", {}),
         ("dress for breastfeeding", "wrap-dress", {}),
+        ("cropped zip hoodie", "hoodie", {"length": 6.0}),
         ("tube top", "bandeau", {"length": 2.0}),
         ("bandeau top", "bandeau", {"length": -6.0}),
         ("blouse, neck closed", "shirt", {"collar": "standing"}),
