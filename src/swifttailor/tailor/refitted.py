@@ -5,14 +5,16 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
 from swifttailor.body import Body
-from swifttailor.describing.differences import Gain
 from swifttailor.errors import SwiftTailorError
 from swifttailor.pattern import Pattern
 from swifttailor.tailor.answer import Answer
-from swifttailor.tailor.drafted import DraftCandidate
 from swifttailor.tailor.room_for_necks import with_room_for_the_neck
+
+if TYPE_CHECKING:
+    from swifttailor.tailor.drafted import DraftCandidate
 
 _LARGE, _SHORT_CM = 1.3, 30.0
 """Times the bust of the default body; sleeves, shoulder tip to end."""
@@ -69,6 +71,8 @@ def _outgrows_short_sleeves(pattern: Pattern, body: Body) -> bool:
 
 def _is_told_in_figures(answer: Answer) -> bool:
     """Whether a measure is asked for in cm, which a pattern keeps as it was cut."""
+    from swifttailor.describing.differences import Gain
+
     wishes = () if answer.wanted is None else answer.wanted.wishes
     return any(isinstance(w.change, Gain) and w.change.claim.name.endswith("_cm") for w in wishes)
 
