@@ -31,7 +31,7 @@ def stretch(named: NamedDraft) -> float:
         ("bodycon dress, mini, open back", "fitted-dress"),
         ("a wifebeater", "tank-top"),
         ("long line sports bra", "tank-top"),
-        ("rash vest", "t-shirt"),
+        ("rash vest", "turtleneck"),
         ("thermal base layer top, slim fit", "t-shirt"),
         ("clingy turtleneck", "turtleneck"),
         ("tight black dress with long sleeves", "shift-dress"),

@@ -14,8 +14,8 @@ from swifttailor.wishes.drafts.sleeved_drafts import sleeves_as_asked
 @pytest.mark.parametrize(
     ("draft", "claims", "options"),
     [
-        ("coat", {"sleeves": "extra-long"}, {"sleeve_length": 66.0}),
-        ("hooded-coat", {"sleeves": "extra-long"}, {"sleeve_length": 66.0}),
+        ("coat", {"sleeves": "extra-long"}, {"sleeve_length": 71.0}),
+        ("hooded-coat", {"sleeves": "extra-long"}, {"sleeve_length": 71.0}),
         ("shirt", {"cuffs": "deep"}, {"cuffs": True, "cuff_height": 14.0}),
         ("shirt-dress", {"cuffs": "deep"}, {"cuffs": True, "cuff_height": 14.0}),
         ("skater-dress", {"sleeves": "long", "sleeve_shape": "slim"}, {"sleeves": True, "sleeve_end": 20.0}),

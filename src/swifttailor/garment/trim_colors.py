@@ -83,6 +83,9 @@ _SEEN_ON_DARK, _LINES_ON_DARK = 0.012, 0.04
 """So much lighter are what is sewn on dark cloth and lines on it, linear light."""
 _LIGHT = 0.55
 """Linear light of cloth from which on it is light."""
+_ZIPS = ("zip", "half zip", "back zip", "side zip", "asymmetric zip")
+_BRIGHT_METAL, _METAL_LIKE = "#e3e5e8", (0.16, 0.45)
+"""Of zips on cloth that is as light as their metal, linear light, on which nobody would see them else."""
 _BLACK_LEATHER, _GREYISH = "#33312f", 0.02
 """A belt of leather on black cloth, and how far apart the channels of that are at most, linear light."""
 _LIGHT_BUTTON, _DARK_BUTTON = "#bdb6a8", "#6b5a49"
@@ -133,6 +136,8 @@ def trim_color(
         )
     if look == "button":
         return to_linear(_LIGHT_BUTTON if float(cloth @ GREY) < 0.25 else _DARK_BUTTON)
+    if look == "metal" and trim in _ZIPS and _METAL_LIKE[0] < float(cloth @ GREY) < _METAL_LIKE[1]:
+        return to_linear(_BRIGHT_METAL)
     if look == "leather" and is_dark(cloth) and float(np.ptp(cloth)) < _GREYISH:
         return to_linear(_BLACK_LEATHER)
     return to_linear(_COLORS[look])

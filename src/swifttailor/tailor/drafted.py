@@ -10,7 +10,7 @@ from typing import Any
 from swifttailor.errors import InputError
 from swifttailor.pattern import Pattern
 from swifttailor.pattern.drafts.draft_names import ARMHOLE, NamedDraft
-from swifttailor.pattern.drafts.measurements import Measurements
+from swifttailor.pattern.drafts.measurements import DraftMeasurements, Measurements
 from swifttailor.pattern_maker.maker import WrittenPattern
 from swifttailor.tailor.known import LEAST_CLOSE
 from swifttailor.tailor.reading import Wanted
@@ -19,6 +19,8 @@ VARIED = frozenset({"length", "flare", "neck_depth", "neck_widening", "sleeve_le
 """Options that differ from seed to seed."""
 SHARE = 0.25
 """How far at most, towards either end of what an option accepts."""
+_SLEEVE_END, _THICKER = "sleeve_end", 1.1
+"""An option that is told for usual arms, and times the armhole from which arms are thicker."""
 _NOT_DRAFTED = (
     "Garments begin from a draft where the lexicon names one, and in this text it does not: choose another "
     "--source. swifttailor draft --list names all drafts."
@@ -47,7 +49,7 @@ class DraftCandidate:
         """The pattern for a body; the default body when None."""
         from swifttailor.pattern.drafts import draft
 
-        options: dict[str, Any] = dict(self.draft.options)
+        options: dict[str, Any] = {**dict(self.draft.options), **self._ends_for(measurements)}
         if not self.plain:
             options |= self._varied(options)
         return draft(self.name, measurements=measurements, **self._accepted(options))
@@ -56,6 +58,17 @@ class DraftCandidate:
     def has_wings(self) -> bool:
         """Whether its sleeves are cut in one with the body, so that it must be drafted anew for each body."""
         return dict(self.draft.options).get(ARMHOLE) == "cut-in-one"
+
+    def _ends_for(self, measurements: Measurements | None) -> dict[str, float]:
+        """Ends of sleeves that are wider for arms thicker than usual, as the sleeve is above them."""
+        from swifttailor.pattern.drafts import find_draft
+
+        usual = DraftMeasurements().armscye_depth
+        thicker = 1.0 if measurements is None else measurements.armscye_depth / usual
+        ends = [field for field in find_draft(self.name).options if field.name == _SLEEVE_END]
+        if thicker <= _THICKER or not ends:
+            return {}
+        return {_SLEEVE_END: thicker * float(dict(self.draft.options).get(_SLEEVE_END, ends[0].default))}
 
     def _accepted(self, options: dict[str, Any]) -> dict[str, Any]:
         """Options within what the draft accepts: what words ask for together may be more than it can be."""

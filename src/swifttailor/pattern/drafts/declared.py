@@ -58,7 +58,7 @@ TopLength = Annotated[float, Option("Hem below the waist; negative ends above it
 HemFlare = Annotated[float, Option("Extra width of the hem, all around.", "cm", 0.0, 40.0)]
 DressFlare = Annotated[float, Option("Extra width of the hem, all around.", "cm", 0.0, 80.0)]
 SleeveLength = Annotated[
-    float, Option("Shoulder tip to the sleeve's end along the arm, cuff included.", "cm", 12.0, 66.0)
+    float, Option("Shoulder tip to the sleeve's end along the arm, cuff included.", "cm", 12.0, 74.0)
 ]
 ArmEase = Annotated[float, Option("Room on top of the upper arm girth, all around.", "cm", 3.0, 18.0)]
 SleeveEnd = Annotated[

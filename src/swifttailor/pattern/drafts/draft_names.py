@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from swifttailor.pattern.drafts.draft_kinds import DRAFT_KINDS, DRAFT_NAMES
 from swifttailor.pattern.drafts.flares_to_the_eye import flares_to_the_eye
+from swifttailor.pattern.drafts.wide_sleeves import wide_to_the_eye
 from swifttailor.pattern.drafts.without_bib import SHOWN_WITHOUT_BIB, WITHOUT_BIB
 
 _SHORT_CAPE_CM = 25.0
@@ -89,8 +90,7 @@ class NamedDraft:
     def is_to_the_eye(self) -> tuple[tuple[str, str | float], ...]:
         """Claims, by name and value, that are true of it to the eye, though not as they are measured."""
         stands = self.stands or self.name == "turtleneck"
-        cut = dict(self.options).get(SIDE_SLITS)
-        behind = dict(self.options).get(BACK_SLIT)
+        cut, behind = (dict(self.options).get(name) for name in (SIDE_SLITS, BACK_SLIT))
         slits = (*_OF_SLITS, ("slit_cm", float(cut))) if cut else _OF_NO_SLITS.get(self.name, ())
         slits = (("slit", "back"), ("slit_cm", float(behind))) if behind and not cut else slits
         flare = dict(self.options).get("flare", 0.0)
@@ -112,7 +112,8 @@ class NamedDraft:
         broad = (("straps", "wide"),) if angular or strapped or wide else ()
         broad = (*broad, *(_OF_WIDE_STRAPS if wide else ()))
         high = (("slit_size", "high"),) if float(dict(self.options).get(SIDE_SLITS, 0.0)) >= HIGH_CM else ()
-        wings = _OF_WINGS if dict(self.options).get(ARMHOLE) == "cut-in-one" else ()
+        one = dict(self.options).get(ARMHOLE) == "cut-in-one"
+        wings = _OF_WINGS if one else wide_to_the_eye(dict(self.options))
         options = dict(self.options)
         hem = (*(_OF_DIPS if options.get(HEM_DIP) else ()), *(_OF_ARCS if options.get(SCALLOPS) else ()))
         hem = (*hem, *(_OF_RACERS if options.get(RACER) else ()))

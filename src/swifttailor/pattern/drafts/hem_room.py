@@ -23,5 +23,8 @@ class HemRoom:
 WOVEN = HemRoom(2.0, 18.0, 12.0)
 JERSEY = HemRoom(1.0, 8.0, 15.0, narrows=True)
 """Of what is pulled on: all that the hem has over the hips stands off in front of the belly."""
+SHIRTING, SHIRT_HIP_EASE = HemRoom(2.0, 5.0, 17.0), 3.5
+"""Of shirts and blouses, and their least ease at the hem: their backs are held up by the blades, and all that
+the hem has over the seat stands off behind it."""
 JERSEY_HIP_EASE = 2.5
 """Least ease at the hem of such tops over the body there; with less, their backs ride up over the seat."""

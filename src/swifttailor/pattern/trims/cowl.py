@@ -1,4 +1,4 @@
-"""The folds that hang in arcs below the neck of what has a cowl."""
+"""The folds that hang in arcs from the neckline of what has a cowl."""
 
 from __future__ import annotations
 
@@ -9,21 +9,27 @@ import numpy as np
 
 from swifttailor.arrays import Floats
 from swifttailor.pattern.trims.chalk import Chalk
+from swifttailor.pattern.trims.front_view import FrontView
 from swifttailor.pattern.trims.shapes import Patch, Trim
 
 _FEWEST = 2
 """Fewer folds on a half are none."""
-_BELOW, _DEEP = 0.5, (3.4, 4.0, 4.6)
-"""How far the uppermost fold begins below the neckline in the middle, and how deep each is there, cm."""
-_RISING = 0.42
-"""The same at their ends, as a part of that."""
-_REACH, _FREE = 11.5, 1.0
-"""How far folds reach from the middle, and what stays free above them at their ends, cm."""
-_BEND = 1.8
-"""Folds are flat in the middle and steep at their ends: a power of the way."""
-_BESIDE, _SWELL = 0.02, 1.8
+_DEEP = (3.2, 3.8, 4.4)
+"""How deep each fold is in the middle, cm; the uppermost begins at the neckline itself."""
+_APART = 1.3
+"""How far apart folds end at most, on the shoulder or beside a strap, cm."""
+_REACH, _JUMP, _STEP = 17.0, 4.0, 0.25
+"""How far from the middle a neckline may end, cm; where it rises by more than so much in a step it meets a
+strap."""
+_ASIDE, _FREE = 0.45, 0.15
+"""So far inside of the panel's edges folds lie, to the side and below, cm."""
+_RISE = 15.0
+"""Ends of folds are at most so much higher than the middle of the neckline, cm."""
+_BEND = 1.9
+"""Lower folds are flat in the middle and steep at their ends: a power of the way."""
+_BESIDE, _SWELL = 0.02, 1.6
 """How near the middle folds begin, and how far they stand off there, cm."""
-_STEPS = 16
+_STEPS = 24
 
 
 def cowl_folds(chalk: Chalk, name: str) -> list[Trim]:
@@ -34,12 +40,7 @@ def cowl_folds(chalk: Chalk, name: str) -> list[Trim]:
         if view is None:
             return []
         inner = abs(chalk.middle(sign, view.high)) + _BESIDE  # seams of slips slant
-        middle, end = view.column(sign * inner), view.column(sign * _REACH * chalk.size)
-        if middle is None or end is None:
-            return []
-        xs = np.linspace(inner, _REACH * chalk.size, _STEPS)
-        drops = chalk.size * np.cumsum([_BELOW, *_DEEP])
-        arcs = [_arc(xs, middle[1] - drop, end[1] - _FREE - _RISING * drop) for drop in drops]
+        arcs = _arcs(view, sign, inner, chalk.size)
         found: list[Trim] = []
         for upper, lower in pairwise(arcs):
             first, second = (np.stack([sign * line[:, 0], line[:, 1]], axis=1) for line in (upper, lower))
@@ -57,7 +58,59 @@ def cowl_folds(chalk: Chalk, name: str) -> list[Trim]:
     return pieces
 
 
-def _arc(xs: Floats, low: float, high: float) -> Floats:
-    """(n, 2) points from `low` in the middle to `high` at the end, at distances `xs` from the middle, cm."""
-    share = (xs - xs[0]) / (xs[-1] - xs[0])
-    return np.stack([xs, low + (high - low) * share**_BEND], axis=1)
+def _arcs(view: FrontView, sign: int, inner: float, size: float) -> list[Floats]:
+    """Borders of the folds (n, 2), distance from the middle and height, cm: the neckline first.
+
+    Args:
+        view: The front's half.
+        sign: 1 of the left one, -1 of the right one.
+        inner: Where they begin, cm from the middle.
+        size: Of the wearer, over that of an adult.
+    """
+    outer, shoulder = _neck_end(view, sign, inner, size)
+    middle = _edge(view, sign, inner, inner)
+    if middle is None:
+        return []
+    own = np.linspace(inner, outer, _STEPS)
+    neckline = np.array([y if (y := _edge(view, sign, x, inner)) is not None else middle for x in own])
+    drops = size * np.cumsum([0.0, *_DEEP])
+    share = np.linspace(0.0, 1.0, _STEPS)
+    end = min(float(neckline[-1]), middle + _RISE * size)
+    along = np.clip((neckline - middle) / max(end - middle, 1.0), 0.0, 1.0)
+    arcs = []
+    for k, drop in enumerate(drops):
+        at = outer + k * min(_APART * size, shoulder / len(_DEEP))
+        top = _edge(view, sign, at, inner)
+        high = end if top is None else min(top, end)  # a strap rises above it
+        lower = k / (len(drops) - 1)
+        shape = (1.0 - lower) * along + lower * share**_BEND
+        low = middle - drop
+        arcs.append(np.stack([inner + share * (at - inner), low + shape * (high - low)], axis=1))
+    return arcs
+
+
+def _neck_end(view: FrontView, sign: int, inner: float, size: float) -> tuple[float, float]:
+    """Where the neckline ends, cm from the middle, and how much of a shoulder or an edge is beside that."""
+    xs = np.arange(inner, _REACH * size, _STEP)
+    tops = np.array([view.low if (column := view.column(sign * x)) is None else column[1] for x in xs])
+    steep = np.flatnonzero(np.diff(tops) > _JUMP)
+    if len(steep):  # a thin strap: what is beside it is the edge of the front
+        return float(xs[steep[0]]) - _ASIDE, _APART * size * len(_DEEP)
+    peak = int(np.argmax(tops))
+    span = view.span(view.high - 3.0 * size)
+    width = 0.0 if span is None else max(abs(span[0]), abs(span[1])) - float(xs[peak])
+    return float(xs[peak]) + 2 * _ASIDE, max(width - 4 * _ASIDE, 0.0)
+
+
+def _edge(view: FrontView, sign: int, x: float, inner: float) -> float | None:
+    """Height of the front's upper edge at a distance from the middle, a little inside of it, cm.
+
+    Args:
+        view: The front's half.
+        sign: 1 of the left one, -1 of the right one.
+        x: Distance from the middle, cm.
+        inner: Where the front begins up there: the seam in the middle may slant below.
+    """
+    columns = [view.column(sign * at) for at in (max(x - _ASIDE, inner), x, x + _ASIDE)]
+    tops = [column[1] for column in columns if column is not None]
+    return min(tops) - _FREE if tops else None

@@ -18,12 +18,13 @@ least so long, cm."""
 
 
 def knit_bands(chalk: Chalk, name: str) -> list[Trim]:
-    """Bands along all edges; nothing where the front is in one piece or has a collar."""
+    """Bands along all edges, but for that of a collar; nothing where the front is in one piece."""
     pattern, size = chalk.pattern, chalk.size
     fronts = [_front_edges(pattern, f"{side}_ftorso") for side in ("left", "right")]
     neck = neck_edges(pattern)
-    if not all(fronts) or any("collar" in ref.panel for ref in neck):
+    if not all(fronts):
         return []
+    neck = () if any("collar" in ref.panel for ref in neck) else neck
     strips = [*((each, _FRONT_CM) for each in fronts), (neck, _FRONT_CM)]
     strips += [(hem_edges(pattern), _HEM_CM), (sleeve_ends(pattern), _CUFF_CM)]
     below = _over_the_hem_band(chalk, name, _FRONT_CM * size)

@@ -119,10 +119,19 @@ def clinging_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     return replace(draft, options=tuple(options.items()))
 
 
-def top_clinging_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
-    """A top that is pulled on and to be close, of no cloth that is told: of jersey; others as they are."""
+def top_clinging_as_asked(
+    draft: NamedDraft, claims: Sequence[Claim], *, stretchy: bool = False
+) -> NamedDraft:
+    """A top that is pulled on and to be close, of no cloth that is told: of jersey; others as they are.
+
+    Args:
+        draft: As it was asked for otherwise.
+        claims: What is asked for, all of it.
+        stretchy: Whether its cloth is to stretch, so that it is close where nothing else is told.
+    """
     options = dict(draft.options)
-    if _CLOSE not in claims or draft.name not in _TOPS or SIDE_SLITS in options:
+    close = _CLOSE in claims or (stretchy and not any(claim.name == "fit" for claim in claims))
+    if not close or draft.name not in _TOPS or SIDE_SLITS in options:
         return draft
     if float(options.get("length", 99.0)) <= SHAPED_TO_CM and options.get(SHAPING):  # darted to the waist
         return draft

@@ -70,7 +70,7 @@ _PADDED_CM, _BOMBER, _WARM_CM = 18.0, "bomber-jacket", 11.0
 arms lift them: those that are to end at the waist are cut so long, cm, that they cover it."""
 _KEPT: Mapping[str, tuple[float, float]] = {
     "chest_ease": (0.0, 11.0),
-    "sleeve_length": (12.0, 66.0),
+    "sleeve_length": (12.0, 74.0),
     "arm_ease": (0.0, 16.0),
     "sleeve_end": (24.0, 32.0),
     "collar_height": (4.0, 6.0),

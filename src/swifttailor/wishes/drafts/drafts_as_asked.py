@@ -146,7 +146,9 @@ def draft_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft | N
         return None
     if _BARE in claims and draft.name not in BARE_SHOULDERED:
         return None
-    if draft.name in COLLARED and _STAND in claims:
+    closed = draft.name == "shirt" and _stands(claims) and _ROLLED not in claims
+    closed = closed and Claim("collar", "lapel") not in claims
+    if closed or (draft.name in COLLARED and _STAND in claims):
         draft = replace(draft, options=(*[o for o in draft.options if o[0] != "collar"], STANDING))
     stands = draft.stands
     if not stands and draft.name not in COLLARED:

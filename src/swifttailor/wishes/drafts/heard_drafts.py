@@ -50,6 +50,7 @@ from swifttailor.wishes.drafts.swimsuits_as_asked import on_a_halter
 from swifttailor.wishes.drafts.tiers_as_asked import tiers_as_asked
 from swifttailor.wishes.drafts.told_measures import as_told, full_by_figures
 from swifttailor.wishes.drafts.tops_to_the_legs import is_long_top, to_the_legs_as_said
+from swifttailor.wishes.drafts.unbuttoned_cardigans import open_without_buttons
 from swifttailor.wishes.drafts.wound_skirts import wound_as_asked
 from swifttailor.wishes.drafts.yoked_skirts import YOKE, yoke_as_asked
 from swifttailor.wishes.text.flare_starts import flare_as_said
@@ -122,7 +123,8 @@ def drafts_of(heard: Heard) -> tuple[NamedDraft, ...]:
         named = _named_skirts(heard, sure)
         fitting = [clinging_as_asked(draft, [*sure, *named]) for draft in fitting]
     elif heard.cloth is None and not is_to_be_loose(sure):
-        fitting = [top_clinging_as_asked(draft, sure) for draft in fitting]
+        stretchy = any(lack.what == STRETCH and lack.said for lack in heard.lacks)
+        fitting = [top_clinging_as_asked(draft, sure, stretchy=stretchy) for draft in fitting]
     fitting = [loosened_as_asked(roomy_wrap_as_asked(d, sure, heard.never), sure) for d in fitting]
     long = is_long_top(heard)
     fitting = [straight_as_said(to_the_legs_as_said(d, heard.text, long=long), heard.text) for d in fitting]
@@ -154,7 +156,9 @@ def drafts_of(heard: Heard) -> tuple[NamedDraft, ...]:
     fitting = [huge_as_said(tier_as_said(draft, heard.text), heard.text) for draft in fitting]
     wanted = {lack.what for lack in heard.lacks if lack.said}
     opened = [opened_as_asked(closed_as_counted(d, heard.text), sure, wanted) for d in fitting]
-    found = dict.fromkeys([hem_as_asked(draft, sure, wanted, denied_lacks(heard)) for draft in opened])
+    denied, knitted = denied_lacks(heard), any(lack.what == "rib_bands" for lack in heard.lacks)
+    opened = [open_without_buttons(draft, wanted, denied, knitted=knitted) for draft in opened]
+    found = dict.fromkeys([hem_as_asked(draft, sure, wanted, denied) for draft in opened])
     if YOKE in wanted:  # of several that have one, first what has the pleats below it as well
         return tuple(sorted(found, key=lambda draft: -len(wanted.intersection(draft.shows))))
     return tuple(sorted(found, key=lambda draft: wanted.isdisjoint(draft.shows)))

@@ -21,6 +21,7 @@ _HIGH, _PLUNGING = Claim("neck_depth", "high"), Claim("neck_depth", "plunging")
 _LOW = Claim("neck_depth", "low")
 _WIDE_ROUND = frozenset({Claim("neckline", "scoop"), Claim("neckline", "boat")})
 _TOLD_DEPTHS = frozenset({"neck_depth", "neck_depth_cm", "collar", "hood"})
+_FIGURES = frozenset({"neck_depth_cm"})
 _BARE_BACKS = frozenset({"back_depth", "back_depth_cm", "back_neckline"})
 _WIDTH, _DEPTH, _BACK = "neck_widening", "neck_depth", "back_neck_depth"
 _CLOSE: Mapping[str, float] = {_WIDTH: -1.2, _DEPTH: 9.5}
@@ -31,6 +32,14 @@ _ROUND_CM: Mapping[str, float] = {_WIDTH: 0.0, _DEPTH: 11.0}
 and what it is cut deep lies nearly flat."""
 _DEEPEST_ROUND_CM = 12.0
 """Figures up to that ask for such a one."""
+_SCOOP, _SCOOPED = Claim("neckline", "scoop"), ("t-shirt", "sweatshirt")
+_SCOOP_CM: Mapping[str, float] = {_WIDTH: 2.0, _DEPTH: 17.0}
+_SHALLOW_SCOOP_CM: Mapping[str, float] = {_WIDTH: 2.0, _DEPTH: 14.5}
+"""One that is wide and deep, or wide alone, and the tops whose own necks are close: those that are cut so
+later would hang by their neck ribs."""
+_SQUARE = Claim("neckline", "square")
+_SQUARE_CM: Mapping[str, float] = {_WIDTH: 2.5, _DEPTH: 14.5}
+"""A shallow square looks like a boat neck."""
 _V_CM: Mapping[str, float] = {_WIDTH: 0.0, _DEPTH: 18.0}
 """A shallow V looks like a boat neck."""
 _DEEP_V_CM: Mapping[str, float] = {_WIDTH: 0.5, _DEPTH: 22.0}
@@ -58,6 +67,10 @@ def neck_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
         return draft
     options = dict(draft.options)
     cut: dict[str, float] = dict(_neck(claims, told_width=_WIDTH in options))
+    if draft.name in _SCOOPED and _SCOOP in claims and not any(c.name in _FIGURES for c in claims):
+        cut |= _SHALLOW_SCOOP_CM if _HIGH in claims else _SCOOP_CM
+    if draft.name == "t-shirt" and _SQUARE in claims and not any(c.name in _TOLD_DEPTHS for c in claims):
+        cut |= {name: max(least, float(options.get(name, 0.0))) for name, least in _SQUARE_CM.items()}
     if draft.name in _WITHOUT_WIDTH:
         cut.pop(_WIDTH, None)
     shapes = [shape for shape in _SHAPES if Claim("neckline", shape) in claims]
@@ -68,7 +81,8 @@ def neck_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
         return draft
     if draft.name not in _TO_THE_WAIST and _DEPTH in cut:
         cut[_DEPTH] = min(cut[_DEPTH], _DEEPEST_CM)
-    shape: dict[str, str] = {"neckline": shapes[0]} if _V in claims or (told and shapes) else {}
+    square = draft.name == "t-shirt" and _SQUARE in claims
+    shape: dict[str, str] = {"neckline": shapes[0]} if _V in claims or square or (told and shapes) else {}
     back = _is_close(claims) and not any(claim.name in _BARE_BACKS for claim in claims)
     if back and draft.name not in ("sweatshirt", *_WITHOUT_WIDTH):
         cut[_BACK] = _CLOSE_BACK_CM

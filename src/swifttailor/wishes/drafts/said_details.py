@@ -63,6 +63,9 @@ _ELBOW_CM = 34.0
 _FULL_ABOVE = frozenset({Claim("sleeve_shape", "puffed"), Claim("sleeve_shape", "balloon")})
 """Who asks for these has none that trail, whatever the name of the garment means."""
 _LONG_CM = 58.0
+_DRAPED, _OF_COWLS = "draped", {"neck_widening": 4.5, "neck_depth": 10.5, "back_neck_depth": 4.0}
+_MAY_FALL = ("t-shirt", "tank-top")
+"""Tops whose necks are wide and shallow where folds are to hang from them."""
 
 
 def with_details(draft: NamedDraft, lacks: Collection[str], claims: Collection[Claim]) -> NamedDraft:
@@ -80,6 +83,8 @@ def with_details(draft: NamedDraft, lacks: Collection[str], claims: Collection[C
         more[SIDE_SLITS] = _SLITS_CM[0 if length <= _SHORT_CM else 1 if length <= _CALF_CM else 2]
     if BACK_RISE in lacks and draft.name in _BANDED:
         more[BACK_RISE] = _RISE_CM
+    if _DRAPED in lacks and draft.name in _MAY_FALL and options.get("neckline", "round") == "round":
+        more |= {name: own for name, own in _OF_COWLS.items() if float(options.get(name, 0.0)) < own + 3.0}
     if CROSSED_STRAPS in lacks and draft.name in _STRAPS_MAY_CROSS:
         more[CROSSED] = True
     if draft.name == _DUNGAREES and not options.get("stretch") and not _LOOSE.isdisjoint(claims):

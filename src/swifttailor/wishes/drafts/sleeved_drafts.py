@@ -48,7 +48,7 @@ _LENGTHS: Mapping[str, float] = {
     "elbow": 34.0,
     "three-quarter": 44.0,
     "long": 60.0,
-    "extra-long": 66.0,
+    "extra-long": 71.0,
 }
 _EXTRA_LONG, _THREE_QUARTERS = Claim("sleeves", "extra-long"), Claim("sleeves", "three-quarter")
 _OF_ONE_ARM = ("left_sleeve", "right_sleeve")

@@ -61,6 +61,9 @@ _OPEN_KNIT, _HEM_BAND = "cardigan", Gain(Claim("waistband", "hem"))
 _LOWER = ("trousers", "shorts")
 _FOR_JACKETS, _TAILORED = frozenset({"cardigan", "turtleneck"}), "blazer"
 """Drafts that jackets without a collar and with one that stands are cut from, and the one with lapels."""
+_BANDED, _DOWN_THE_FRONT, _OF_A_POLO = ("shirt", "shirt-dress"), ("buttons",), ("polo placket",)
+"""Drafts whose buttons are sewn to a band; a row of buttons; what nightshirts have where they say nothing of
+a whole row."""
 _DENIM = "denim"
 _NET, _NETS = ("tulle layers",), frozenset({"tulle", "net", "organza"})
 """What is put on skirts of a net, and which cloths are such."""
@@ -120,6 +123,8 @@ def trims_wanted(heard: Heard, draft: str = "", kind: str = "", *, anew: bool = 
         said = tuple([name for name in named if name in can])
         if lack.what == "buttons" and not said and asks_for_big_buttons(heard.text):
             said = (BIG,)
+        if lack.what == "buttons" and said == _DOWN_THE_FRONT and (draft in _BANDED or own == _OF_A_POLO):
+            said = ("button placket",)
         if draft in _HOODED:  # that of a hoodie
             said = tuple([_KANGAROO if name == "front pocket" else name for name in said])
         placed = trims_by_place(heard.text, lack.what, kind=kind, draft=draft) if lack.said else ()
@@ -127,6 +132,8 @@ def trims_wanted(heard: Heard, draft: str = "", kind: str = "", *, anew: bool = 
             others = [name for name in said if name != _ANY_BIG]
             said = tuple(dict.fromkeys([*[names[0] for names in placed], *others]))
         choices = _usual(lack.what, kind, heard.cloth, draft) if can else ()
+        if lack.what == "pockets" and _is_ribbed(heard):  # a jacket of knit has them on it, not in it
+            choices = tuple(sorted(choices, key=lambda names: "welt pockets" in names))
         if choices and (first := first_of_kind(lack, kind, draft, heard.text)):
             choices = (first, *choices)
         if lack.what == "elastic" and is_elastic_behind(heard.text):
@@ -172,6 +179,11 @@ def trims_wanted(heard: Heard, draft: str = "", kind: str = "", *, anew: bool = 
 def _has_net_skirt(heard: Heard) -> bool:
     """Whether the skirt alone is of net, which is worn in layers that stand off."""
     return any(look.part == "skirt" and look.cloth in _NETS for look in heard.looks.looks)
+
+
+def _is_ribbed(heard: Heard) -> bool:
+    """Whether what is asked for has ribbed bands: a cardigan, whatever it is cut from."""
+    return any(lack.what == _RIBS for lack in heard.lacks)
 
 
 def _is_a_jacket(heard: Heard) -> bool:
@@ -263,7 +275,7 @@ def _usual(what: str, kind: str, cloth: str | None, draft: str) -> tuple[tuple[s
     if what == "zip":
         if kind in _LOWER:
             return (("fly",), ("side zip",))
-        in_front = not kind or kind == "top" or draft in _JACKETS
+        in_front = kind in ("", "top", "tunic") or draft in (*_JACKETS, *_HOODED, "sweatshirt")
         return (("zip",), ("side zip",)) if in_front else (("side zip",), ("back zip",))
     if what in ("belt", "belt_accessory"):
         return (("buckle belt",),) if kind in _LOWER else (("tie belt",), ("buckle belt",))

@@ -10,6 +10,7 @@ from swifttailor.pattern.drafts.band import lay_sleeve_cuff
 from swifttailor.pattern.drafts.bodice import LooseBodice, lay_loose_bodice, sew_centres
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure
+from swifttailor.pattern.drafts.hem_room import SHIRT_HIP_EASE, SHIRTING
 from swifttailor.pattern.drafts.lapel_collar import LapelCollar
 from swifttailor.pattern.drafts.measurements import Measurements
 from swifttailor.pattern.drafts.neck_collar import CollarHeight, NeckCollar, SewnCollarOption
@@ -120,6 +121,8 @@ def _lay_left(
         waist_shaping=options.waist_shaping,
         side_rise=options.hem_rise if isinstance(options, ShirtOptions) else 0.0,
         back_dip=_LEVEL_DIP_CM + (options.hem_dip if isinstance(options, ShirtOptions) else 0.0),
+        hip_ease=SHIRT_HIP_EASE,
+        hem_room=SHIRTING,
         darted=True,
     )
     lay_loose_bodice(table, figure, bodice)
