@@ -79,9 +79,7 @@ def test_one_of_a_pair_is_the_pair(text):
     assert "trousers" in {i.claim.value for i in reading.implications}
 
 
-@pytest.mark.parametrize(
-    "text", ["a tight tent dress", "skin-hugging trapeze dress", "fitted oversized shirt"]
-)
+@pytest.mark.parametrize("text", ["a tight tent dress", "skin-hugging trapeze dress", "fitted muumuu"])
 def test_what_stands_off_by_its_name_stays_so(text):
     assert "close" not in [i.claim.value for i in read_words(text).implications]
 

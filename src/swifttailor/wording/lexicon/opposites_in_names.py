@@ -56,7 +56,7 @@ _HUGGING = re.compile(
     re.IGNORECASE,
 )
 _TENTS = re.compile(
-    r"(?<!\w)(?:tent|trapeze|trap[eè]ze|sack|muumuu|muu muu|poncho|swing|oversized|boxy)(?!\w)", re.IGNORECASE
+    r"(?<!\w)(?:tent|trapeze|trap[eè]ze|sack|muumuu|muu muu|poncho|swing)(?!\w)", re.IGNORECASE
 )
 """Names of what stands off the body all around."""
 _TOPS = frozenset({"top", "tunic"})
