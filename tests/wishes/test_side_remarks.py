@@ -21,6 +21,7 @@ from swifttailor.wishes.outfits.side_remarks import without_side_remarks
         ("a silk slip to wear under my wedding dress", "a silk slip"),
         ("jacket that goes with a long red evening gown", "jacket"),
         ("a tunic to wear over leggings, navy", "a tunic, navy"),
+        ("graduation dress, midi, has to look ok under the robes", "graduation dress, midi, has"),
         ("I already have the jacket, just need trousers in navy", "need trousers in navy"),
         ("trousers for a suit, the jacket I have is grey herringbone", "trousers for a suit"),
         ("a blouse under my black pinafore dress", "a blouse"),

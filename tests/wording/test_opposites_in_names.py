@@ -29,6 +29,15 @@ def told(text: str) -> list[tuple[str, str]]:
         ("V-neck turtleneck", ("V-neck", "turtleneck")),
         ("cropped longline cardigan", ("cropped", "longline cardigan")),
         ("pocketless trousers with pockets", ("pocketless", "pockets")),
+        ("a tight tent dress", ("tight", "tent dress")),
+        ("a fitted trapeze dress", ("fitted", "trapeze dress")),
+        ("crop top that reaches the knees", ("crop top", "knees")),
+        ("knee-length crop top", ("knee-length", "crop top")),
+        ("cropped jumper to the ankles", ("cropped", "to the ankles")),
+        ("floor-length mini", ("floor-length", "mini")),
+        ("shorts to the ankle", ("shorts", "to the ankle")),
+        ("gathered skirt with no fullness", ("gathered skirt", "fullness")),
+        ("V neck jumper with no neckline", ("V neck jumper", "neckline")),
     ],
 )
 def test_what_speaks_against_a_name_is_told_once(text, pair):
@@ -48,6 +57,10 @@ def test_what_speaks_against_a_name_is_told_once(text, pair):
         "cropped jumper over a longline vest",
         "langer Mantel, schmal geschnitten, mit breitem Revers",
         "midi skirt with shorts",
+        "crop top and a skirt to the knee",
+        "a swing dress, fitted at the bust",
+        "langes Kleid, oben eng, unten weit",
+        "vestido ajustado arriba, amplio abajo",
     ],
 )
 def test_what_is_true_of_one_place_or_of_a_part_contradicts_nothing(text):
@@ -64,3 +77,14 @@ def test_one_of_a_pair_is_the_pair(text):
     reading = read_words(text)
     assert not reading.unknown
     assert "trousers" in {i.claim.value for i in reading.implications}
+
+
+@pytest.mark.parametrize("text", ["a tight tent dress", "skin-hugging trapeze dress", "fitted muumuu"])
+def test_what_stands_off_by_its_name_stays_so(text):
+    assert "close" not in [i.claim.value for i in read_words(text).implications]
+
+
+@pytest.mark.parametrize("text", ["knee-length crop top", "a crop top to the knee"])
+def test_a_crop_top_stays_one(text):
+    claims = {(i.claim.name, i.claim.value) for i in read_words(text).implications}
+    assert ("kind", "top") in claims and "skirt_hem" not in dict(claims)

@@ -36,6 +36,7 @@ a vest, the red puffy one | red |
 sleeves in lace, the rest of the dress in satin, ivory | ivory | sleeves lace
 coveralls short sleeve orange, leg ends with cuffs | orange |
 jumper navy crew neck | navy |
+Men T-shirt round neck short sleeve cotton, black | black |
 sports bra racerback purple | purple |
 apron dress black cross back | black |
 maxi dress green puff sleeves | green |

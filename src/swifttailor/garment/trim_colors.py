@@ -43,8 +43,8 @@ _COLORS = {"metal": "#8d8f94", "leather": "#4a3226", "hole": "#a9a097"}
 _IN_ANOTHER: Mapping[str, tuple[str, str]] = {
     "apron": ("#f3efe6", "#e2dccf"),
     **dict.fromkeys(("edging", "piping", "bands", "narrow bands"), ("#f3efe6", "#33415c")),
-    "lace trim": ("#f3efe6", "#c9bfae"),
-    "neck lace": ("#f3efe6", "#c9bfae"),
+    "lace trim": ("#f3efe6", "#dad3c5"),
+    "neck lace": ("#f3efe6", "#dad3c5"),
     "fur trim": ("#f4f1ea", "#6d5039"),
     **dict.fromkeys(("neck fur", "sleeve fur"), ("#ddccb0", "#8a6a4b")),
     "side panels": ("#f3efe6", "#26324a"),

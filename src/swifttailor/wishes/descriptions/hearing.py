@@ -40,6 +40,7 @@ from swifttailor.wishes.corrections.weighed_together import (
     without_flare,
     without_flared_legs,
 )
+from swifttailor.wishes.descriptions.closeness_given_up import closeness_refused
 from swifttailor.wishes.descriptions.coats_by_length import coats_by_length
 from swifttailor.wishes.descriptions.kind_of_details import (
     fitting_the_name,
@@ -55,6 +56,7 @@ from swifttailor.wishes.descriptions.unmeant_guesses import without_guesses
 from swifttailor.wishes.descriptions.whole_wish import described_as_a_whole
 from swifttailor.wishes.descriptions.worn_for import worn_for
 from swifttailor.wishes.drafts.refused_looks import refused_frills
+from swifttailor.wishes.drafts.set_in_refused import refused_sleeve_heads
 from swifttailor.wishes.heard import HEARD_NOTHING, Heard
 from swifttailor.wishes.instructions.spoken_of import is_of_places
 from swifttailor.wishes.looks.words_of_looks import spans_of_looks
@@ -159,7 +161,8 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
     refused = (*refused, *kinds_outgrown(words))
     never = tuple([claim for claim in refused if claim not in said and not hangs_so(claim, words)])
     never = (*never, *other_slits(text, [*said, *[i.claim for i in words.implications]]))
-    unsaid = (*never, *before.never, *against_phrases(words))
+    refused_heads = refused_sleeve_heads(words)
+    unsaid = (*never, *before.never, *against_phrases(words), *refused_heads, *closeness_refused(words))
     network = [w for w in network if not _is_measured(w, measures) and not _is_outdone(w, said, unsaid)]
     network = _within_names(network, words)
     found = explained(text, words, network) or united(text, words, network)
@@ -221,7 +224,7 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
     silent = unaccounted(
         words,
         _changes((*sure, *likely)),
-        never,
+        (*never, *refused_heads),
         [m.mention.end for m in measures],
         compared=hem is not None or bool(bounds),
         told=[

@@ -15,6 +15,7 @@ _NAMES = ("garment", "like", "second")
 _SKIRT = frozenset({"skirt"})
 _LOWER = frozenset({"skirt", "trousers", "shorts"})
 _UPPER = frozenset("sleeves sleeve_shape cuffs neckline neck_depth shoulders collar hood bodice".split())
+_UPPER_PARTS = frozenset({"sleeves", "neckline", "collar"})
 _WAISTBAND, _HEM_BAND = Claim("waistband", "waist"), Claim("waistband", "hem")
 
 
@@ -31,6 +32,7 @@ def skirts_of_dresses(text: str, words: WordReading) -> str:
     skirts = all(entry.kinds == _SKIRT for mark in named for entry in mark.entries)
     said = [i.claim for i in words.implications if i.said and i.certainty == "certain"]
     upper = any(claim.name in _UPPER and claim.value != "none" for claim in said)
+    upper |= any(m.part in _UPPER_PARTS and m.role == "word" for m in words.marks)
     return f"dress, {text}" if skirts and upper else text
 
 

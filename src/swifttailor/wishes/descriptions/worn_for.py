@@ -31,6 +31,8 @@ _OF_LOWER = frozenset(
 )
 _INSTEAD = {"dress": "dress", "jumpsuit": "navy satin wide-leg jumpsuit", "top": "top"}
 """What suits most occasions, by its kind, where what is usual for one is refused."""
+_LONG_SLEEVED = "long sleeved dress"
+"""What a dress for cold days is; nothing is to be guessed where sleeves are spoken of."""
 _KNITS = frozenset({"jumper", "T-shirt", "sweatshirt"})
 _BUTTONED, _SHIRT = frozenset({"buttons"}), "shirt"
 _LOOKS = frozenset({"colors", "shades", "prints", "fabrics"})
@@ -119,7 +121,8 @@ def _worn_for(heard: Heard) -> str | None:
     if names and (kind := _mere_kind(names)) is not None:
         first = min(entries, key=_order, default=None)
         chosen = [name for name in (first.worn_as if first is not None else ()) if name.endswith(kind)]
-        if chosen:  # "a top for Christmas"
+        told = {w.change.claim.name for w in heard.sure if isinstance(w.change, Gain)}
+        if chosen and not ("sleeves" in told and chosen[0] == _LONG_SLEEVED):  # "a top for Christmas"
             return chosen[0]
     if names:  # "a dress like Mary Poppins", "Clueless skirt"
         known = [entry for entry in entries if entry.place[0] == _PERSONS]

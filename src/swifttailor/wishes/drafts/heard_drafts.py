@@ -42,6 +42,7 @@ from swifttailor.wishes.drafts.refused_looks import as_not_refused
 from swifttailor.wishes.drafts.ribbed_dresses import is_ribbed_dress
 from swifttailor.wishes.drafts.said_details import with_details
 from swifttailor.wishes.drafts.sailor_collars import asks_for_sailor_collar, with_sailor_collar
+from swifttailor.wishes.drafts.set_in_refused import armholes_spoken_of
 from swifttailor.wishes.drafts.shirt_collars import with_shirt_collar
 from swifttailor.wishes.drafts.short_flounces import short_flounce_as_asked
 from swifttailor.wishes.drafts.slight_flares import slightly_flared_as_said
@@ -116,7 +117,8 @@ def drafts_of(heard: Heard) -> tuple[NamedDraft, ...]:
     entries = _entries(heard)
     sure = _sure_claims(heard)
     begun = on_a_halter(_begun(heard, entries, sure), sure)
-    fitting = one_racer([armholes_as_asked(draft, heard.lacks) for draft in begun])
+    armholes = armholes_spoken_of(heard)
+    fitting = one_racer([armholes_as_asked(draft, armholes) for draft in begun])
     fitting = [oversized_as_asked(draft, sure) for draft in fitting]
     fitting = [hearted_as_asked(draft, heard.lacks, sure) for draft in fitting]
     if _clings(heard) and not is_to_be_loose(sure):

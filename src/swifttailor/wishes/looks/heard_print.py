@@ -249,7 +249,8 @@ def _vagueness(mark: WordMark) -> int:
     """0 of what names a print, 1 of "printed", 2 of garments that usually have one."""
     if not any(entry.category == "prints" for entry in mark.entries):
         return _OF_NAMES
-    return int(mark.word.lower() in _VAGUE or mark.word.lower().startswith("with "))
+    vague = any(entry.english in _VAGUE for entry in mark.entries)  # "estampado"
+    return int(vague or mark.word.lower() in _VAGUE or mark.word.lower().startswith("with "))
 
 
 def _of_blocks(text: str, words: WordReading, kind: str | None) -> ClothPrint | None:

@@ -16,7 +16,7 @@ _HEAD = (
     r"|trousers|pants|slacks|chinos|jeans|leggings|tights|joggers|shorts|culottes|jumpsuits?|playsuits?"
     r"|dungarees|overalls|pinafores?|swimsuits?|swimming costumes?|bikinis?|bodysuits?|leotards?|uniforms?"
     r"|saris?|sarees?|kilts?|tunics?|camis?|camisoles?|bras?|slips?|petticoats?|pyjamas|pajamas|nighties?"
-    r"|nightdress(?:es)?|overcoats?|raincoats?|gilets?|turtlenecks?|polo necks?|roll ?necks?|bodices?)"
+    r"|robes?|nightdress(?:es)?|overcoats?|raincoats?|gilets?|turtlenecks?|polo necks?|roll ?necks?|bodices?)"
 )
 _NOT_ALONE = (
     rf"(?![\w-]|[ -](?:{_HEAD}|collars?|sleeves?|necks?|necklines?|length|style|cuffs?|straps)(?!\w))"
@@ -30,13 +30,16 @@ _OWN = (
 _WORN = (
     r"(?:throw|throwing|thrown|wear|wearing|worn|put|putting|slip|slipping|slipped|layer|layering|layered|pop"
     r"|fling|chuck|sling|drape|pull|pulled|go|goes|going|pair|pairs|pairing|paired|team|teams|teamed|style"
-    r"|styled|match|matches|fit|fits|sit|sits)"
+    r"|styled|match|matches|fit|fits|sit|sits|look|looks|looking)"
 )
 _LEADING = (
     r"(?:(?<![\w-])(?:that|which|and|so|im|i['’]?m|i|she|he|we|it|they|is|was|am|are|can|could|will|would|may"
     r"|want|wants|like|need|should|must|to|for|be|['’]ll)(?!\w)\s*)*"
 )
-_IT_NICELY = r"(?: (?:it|them|this))?(?: (?:on|up|nicely|well|best|straight|loosely|easily))*"
+_IT_NICELY = (
+    r"(?: (?:it|them|this))?(?: (?:on|up|nicely|well|best|straight|loosely|easily"
+    r"|ok|okay|good|nice|right|fine|smart))*"
+)
 _REMARKS = (
     re.compile(
         rf",?\s*{_LEADING}(?<![\w-]){_WORN}{_IT_NICELY} {_OVER} {_WORDS_BEFORE}{_HEAD}{_NOT_ALONE}{_OWN}",

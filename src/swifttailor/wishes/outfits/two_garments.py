@@ -11,6 +11,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 
+from swifttailor.wishes.descriptions.sayings_of_wishes import without_asides
 from swifttailor.wishes.outfits.aprons import with_apron_put_on
 from swifttailor.wishes.outfits.first_piece import first_piece
 from swifttailor.wishes.outfits.hooded_outfits import with_hooded_top
@@ -66,7 +67,14 @@ def two_garments(text: str) -> TwoGarments | None:
     Args:
         text: In any language that is read.
     """
-    text = said_plainly(first_piece(of_one_half(without_complaints(text))))
+    own = of_one_half(without_complaints(text))
+    found = _two_garments(own)
+    plain = without_asides(own)  # "something sleeveless with a jacket" is a dress with one
+    return found if found is not None or plain == own else _two_garments(plain)
+
+
+def _two_garments(text: str) -> TwoGarments | None:
+    text = said_plainly(first_piece(text))
     text = _PLUS.sub(lambda found: " with " if "w" in found[0] else " and ", text)
     text = _SUIT_OF.sub(r"\1, ", with_hooded_top(with_apron_put_on(text)))
     text = joined_up(text, read_words(text))

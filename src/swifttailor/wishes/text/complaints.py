@@ -70,6 +70,10 @@ _MINE = (
     rf"my{_NOUNS} (?:always |just |all )?(?:rid(?:es?|ing)|rode|gapes?|digs?|dug|itch\w*|clings?|makes? me"
     r"|shrank|shrunk|drags?|swamps? me|falls? off me)(?!\w)"
 )
+_ALL_MINE = (
+    r"(?:all |most )(?:of )?my [\w’'-]+ (?:(?:are|is|were|either|just|only) )+"
+    r"(?:either )?[^.;,!?]*?(?<!\w)(?:or|and) (?:far |way |much )?too [\w’'-]+"
+)
 _USUALLY = r"(?:(?:usually|normally|always|mostly|basically|just|practically|pretty much) )*"
 _I_WEAR = (
     rf"i {_USUALLY}(?:live in|(?:am|['’]m) always in"
@@ -85,6 +89,12 @@ _PATTERNS = (
     _OF_OTHERS,
     re.compile(rf"(?<![\w-])(?:{_OLD}|{_MINE}){_NO_WISH}{_TO_END}{_JOINT}", re.IGNORECASE),
     re.compile(rf"(?<![\w-]){_I_WEAR}{_TO_END}{_JOINT}", re.IGNORECASE),
+    re.compile(rf"(?<![\w-]){_ALL_MINE}(?!\w){_JOINT}", re.IGNORECASE),
+    re.compile(
+        rf"(?<![\w-])(?:my|our|her|his) {_KIN} {_SAYS} (?:that )?(?:i|she|he) (?:always |just |only )*"
+        rf"looks?(?!\w)[^.;!?]*?[,.;!?]?\s*(?=so(?!\w)){_JOINT}",
+        re.IGNORECASE,
+    ),
     re.compile(
         rf"(?<![\w-])(?:my|our|her|his|the) {_KIN} {_SAYS}(?!\w)[^.;!?]*?[,.;!?]?\s*"
         rf"(?={_BUT}(?!\w)){_BUT}[\s,]*",

@@ -36,6 +36,12 @@ _REACHES = re.compile(
 _OF = re.compile(r"(?<!\w)([^\W\d_]+) (?:of|for)(?: the| an?)? ([^\W\d_]+)(?!\w)(?! (?:out|away|off)(?!\w))")
 """What a garment is of or for; a dress for a night out is no night dress."""
 
+_GOES_ON = re.compile(
+    r"[ -](?:plays?|productions?|shows?|trips?|runs?|gates?|concerts?|fairs?|f[eê]tes?|discos?|reunions?"
+    r"|balls?|photos?|assembl(?:y|ies)|part(?:y|ies)|meals?|holidays?|camps?)(?!\w)",
+    re.IGNORECASE,
+)
+"""What it is for goes on so: a skirt for the school play is no school skirt."""
 _FROM = re.compile(
     r"(?<!\w)([^\W\d_]+) (?:from|in|out of|as in|like in|of)(?: the)?(?: (?:film|movie|show|series))?"
     r" ([A-Z][^\W\d_]+)(?!\w)"
@@ -76,7 +82,7 @@ def text_as_read(text: str, kind: str | None = None) -> tuple[str, WordReading]:
     another spelling. What is not English stays as it is, but typing errors look foreign.
     """
     text = _turned(text)
-    pieces, end = [], 0
+    pieces, end, slips = [], 0, []
     for mark in read_words(text, language=ENGLISH, kind=kind).marks:
         meant = None if mark.entries else common_slip(mark.word)
         better = meant or put_right(mark.word)
@@ -88,12 +94,16 @@ def text_as_read(text: str, kind: str | None = None) -> tuple[str, WordReading]:
         same = better[:1].lower() == mark.word[:1].lower() or meant is not None
         if same and (known or not mark.entries):
             pieces += [text[end : mark.start], better]
+            slips.append(meant is not None)
             end = mark.end
     shown = "".join([*pieces, text[end:]])
     own = read_words(text, kind=kind)
-    if shown == text or (own.language != ENGLISH and not own.unknown):
+    foreign = own.language != ENGLISH and not own.unknown
+    if shown == text or (foreign and not all(slips)):
         return text, own
     words = read_words(shown, kind=kind)
+    if foreign and words.unknown:
+        return text, own
     return (shown, words) if words.language == ENGLISH else (text, own)
 
 
@@ -101,6 +111,8 @@ def _turned(text: str) -> str:
     """The text as its tables have it: "hospital gown" for "gown for hospital"."""
 
     def turned(found: re.Match[str]) -> str:
+        if _GOES_ON.match(found.string, found.end()):
+            return found[0]
         name = f"{found[2]} {found[1]}"
         before = found.string[: found.start()].split()[-1:]
         longer = is_garment(" ".join([*before, found[1]]).lower()) if before else False

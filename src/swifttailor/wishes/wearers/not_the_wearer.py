@@ -47,6 +47,8 @@ _HIDDEN = tuple(
             r"(?<![\w-])size \d{1,3} (?:buttons?|needles?|hooks?|zips?|snaps?|yarn|thread)(?!\w)",
             r"(?<![\w-])(?:magical|anime|manga|flapper|Gibson|chorus|saloon|cigarette|goth|emo|punk|farm|disco"
             r"|jazz|go-?go|show|dancing|harem|slave|pop) ?girls?(?='?s?(?!\w))(?! (?:aged?|of|size))",
+            r"(?<![\w-])(?:like|as|as if) (?:(?:it|they) (?:is|are|was|were) )?(?:for|from|on) (?:the |an? )?"
+            r"(?:boys?|girls?|children|kids?)(?!\w)",
             r"(?<![\w-])(?:give|for|of|with|to|lets?|help|make|send|show|both|all|like) us(?!\w)(?! size)",
         )
     ]

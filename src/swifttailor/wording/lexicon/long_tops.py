@@ -14,6 +14,7 @@ if TYPE_CHECKING:
 
 _TOPS = frozenset({"top", "tunic"})
 _LONG = frozenset({"above the knee", "knee", "below the knee", "midi", "ankle", "floor"})
+_CROPPED = Claim("top_hem", "cropped")
 _OTHERS = ("second", "theirs", "like", "part")
 _HALF_WAY = re.compile(r"(?:mid|middle|half).*thigh", re.IGNORECASE)
 _BESIDE = 4
@@ -37,6 +38,8 @@ def with_long_tops(implied: Sequence[Implication], marks: Sequence[WordMark]) ->
     if hem is None:
         return list(implied)
     mark, claim = hem
+    if any(_CROPPED in e.claims("certain", "usual") for m in marks if not m.denied for e in m.entries):
+        return [i for i in implied if i.mark is not mark]  # which is told as a contradiction
     kept = [i for i in implied if i.claim.name not in ("skirt_hem", "top_hem")]
     kept = [replace(i, claim=Claim("kind", "dress")) if i in tops else i for i in kept]
     return [*kept, replace(tops[0], claim=claim, certainty="certain", said=True, mark=mark)]

@@ -19,7 +19,7 @@ _MADE_WITH = {
     )
     for name, before, noun in (
         ("pleats", "pleated", r"(?:knife |box )?pleat(?:s|ing)?"),
-        ("gathers", "gathered", r"gather(?:s|ing)?"),
+        ("gathers", "gathered", r"gather(?:s|ing)?|fullness"),
         ("tiers", "tiered", r"tiers?"),
         ("ruffles", r"ruffled|ruffle", r"ruffles?"),
         ("frills", r"frilled|frilly", r"frills?"),
@@ -50,6 +50,27 @@ _AT_THE_FEET = re.compile(
     r"\s*(?:at|towards?|around|near|from) (?:the )?(?:bottoms?|hems?|foot|feet|ankles?|ends?|knees?)(?!\w)",
     re.IGNORECASE,
 )
+_HUGGING = re.compile(
+    r"^(?:(?:very|really) )?(?:hugging|skin[- ]?tight|(?:skin|body|figure)[- ]hugging|clingy|clinging|snug"
+    r"|bodycon|fitted|(?:close|tight|form)[- ]fitting)$",
+    re.IGNORECASE,
+)
+_TENTS = re.compile(
+    r"(?<!\w)(?:tent|trapeze|trap[eè]ze|sack|muumuu|muu muu|poncho|swing)(?!\w)", re.IGNORECASE
+)
+"""Names of what stands off the body all around."""
+_TOPS = frozenset({"top", "tunic"})
+_BELOW = re.compile(
+    r"(?<!\w)(?:(?:down )?to|reach(?:es|ing)?|touch(?:es|ing)?|(?:just )?(?:at|below|past|over|above)"
+    r"|cover(?:s|ing)?)(?: the| my| her| his)? "
+    r"(?P<end>knees?|cal(?:f|ves)|shins?|ankles?|floor|ground|feet)(?!\w)",
+    re.IGNORECASE,
+)
+_LONG_HEM = re.compile(r"knee|calf|shin|ankle|floor|maxi|midi", re.IGNORECASE)
+_MINI = re.compile(r"^(?:micro[- ]?)?mini$", re.IGNORECASE)
+_TO_ANKLES = re.compile(r"(?:down )?to the ankles?", re.IGNORECASE)
+_NO_BEFORE = re.compile(r"(?<!\w)(?:no|without)(?: an?| any)?\s+$", re.IGNORECASE)
+_NECKLINE = re.compile(r"neck(?:line)?", re.IGNORECASE)
 _WIDE_LEGS = re.compile(r"(?<!\w)(?:baggy|loose|oversized|wide)(?!\w)", re.IGNORECASE)
 _WIDE_SKIRTS = frozenset(
     {
@@ -95,6 +116,33 @@ def contradicting_pairs(
     return list(found.values())
 
 
+def closeness_given_up(pairs: Sequence[tuple[WordMark, WordMark]]) -> list[WordMark]:
+    """Words that say that something is close which stands off by its name.
+
+    Args:
+        pairs: Of words that cannot both be true.
+    """
+    return [
+        one
+        for pair in pairs
+        for one, other in (pair, pair[::-1])
+        if other.role == "garment" and _TENTS.search(other.word) and one.role == "word"
+    ]
+
+
+def without_closeness(
+    implied: Sequence[Implication], pairs: Sequence[tuple[WordMark, WordMark]]
+) -> list[Implication]:
+    """What follows from a text, without closeness of what stands off by its name: a tent dress is one.
+
+    Args:
+        implied: What follows from its words.
+        pairs: Of these, those that cannot both be true.
+    """
+    given_up = [id(mark) for mark in closeness_given_up(pairs)]
+    return [i for i in implied if id(i.mark) not in given_up]
+
+
 def _widens(text: str, pair: tuple[WordMark, WordMark]) -> bool:
     """Whether legs are slim and said to be wide at their ends: "slim but wide at the bottom"."""
     wide = [m for m in pair if _WIDE.fullmatch(m.word) and _AT_THE_FEET.match(text[m.end :])]
@@ -116,6 +164,7 @@ def _against_names(
     shorts = [i.mark for i in implied if i.claim == _SHORTS and not i.said]
     shorts += [mark for mark in names if _SHORT.search(mark.word)]
     long = [m for m in marks if not m.denied and _category(m) == "lengths" and _TO_THE_FEET.search(m.word)]
+    pairs += [*_cropped_and_long(text, marks, names), *_no_neckline(text, marks), *_long_minis(marks, names)]
     pairs += _by_their_words(text, [mark for mark in marks if not mark.denied])
     pairs += [(mark, name) for name in shorts for mark in long if _adjoins(text, marks, mark, name)]
     return pairs
@@ -134,6 +183,55 @@ def _refused(
         if (mark.denied or _REFUSED.match(mark.word)) and alone.match(mark.word)
         if not _OF_A_PLACE.match(text[mark.end :])
     ]
+
+
+def _cropped_and_long(
+    text: str, marks: Sequence[WordMark], names: Sequence[WordMark]
+) -> list[tuple[WordMark, WordMark]]:
+    """A crop top that is to reach the knees, where nothing else is named that may be so long."""
+    if not names or any(_category(m) == "garments" and not _kinds(m) <= _TOPS for m in marks):
+        return []
+    ends = [found.start("end") for found in _BELOW.finditer(text)]
+    cropped = [m for m in marks if not m.denied and m not in names and m.word.lower() in ("crop", "cropped")]
+    long = [
+        m
+        for m in marks
+        if not m.denied
+        and (
+            (_category(m) == "lengths" and _LONG_HEM.search(m.word))
+            or any(m.start <= e < m.end for e in ends)
+        )
+    ]
+    return [
+        (name, mark) if name.start < mark.start else (mark, name)
+        for name in [*[name for name in names if _SHORT.search(name.word)], *cropped][:1]
+        for mark in long[:1]
+    ]
+
+
+def _long_minis(marks: Sequence[WordMark], names: Sequence[WordMark]) -> list[tuple[WordMark, WordMark]]:
+    """A mini that is to be longer, and shorts that are to reach the ankles."""
+    lengths = [m for m in marks if not m.denied and _category(m) == "lengths"]
+    return [
+        (name, mark) if name.start < mark.start else (mark, name)
+        for name in names
+        for mark in lengths
+        if (_MINI.search(name.word) and _LONG_HEM.search(mark.word))
+        or (_kinds(name) == {"shorts"} and _TO_ANKLES.fullmatch(mark.word))
+    ]
+
+
+def _no_neckline(text: str, marks: Sequence[WordMark]) -> list[tuple[WordMark, WordMark]]:
+    """A V neck that is to have no neckline."""
+    none = [
+        m for m in marks if m.denied and _NECKLINE.fullmatch(m.word) and _NO_BEFORE.search(text[: m.start])
+    ]
+    named = [
+        m
+        for m in marks
+        if none and not m.denied and any(c.name == "neckline" for e in m.entries for c in e.claims("certain"))
+    ]
+    return [(name, mark) for name in named[:1] for mark in none[:1]]
 
 
 def _by_their_words(text: str, marks: Sequence[WordMark]) -> list[tuple[WordMark, WordMark]]:
@@ -161,7 +259,9 @@ def _narrow_and_wide(
     text: str, marks: Sequence[WordMark], names: Sequence[WordMark], implied: Sequence[Implication]
 ) -> list[tuple[WordMark, WordMark]]:
     """A narrow full skirt, tight baggy trousers: narrow itself, and not at the waist."""
-    narrow = [i.mark for i in implied if i.claim in _CLOSE and i.said and _NARROW.match(i.mark.word)]
+    close = [i.mark for i in implied if i.claim in _CLOSE and i.said]
+    narrow = [mark for mark in close if _NARROW.match(mark.word)]
+    hugging = [mark for mark in close if mark in narrow or _HUGGING.match(mark.word)]
     wide = {id(i.mark) for i in implied if i.claim in _WIDE_SKIRTS and i.certainty == "certain"}
     full = [i.mark for i in implied if i.claim in _WIDE_SKIRTS and i.said]
     joined = [
@@ -169,6 +269,13 @@ def _narrow_and_wide(
         for mark in dict.fromkeys(narrow)
         for other in dict.fromkeys(full)
         if _JOINED.fullmatch(text[mark.end : other.start]) and not _OF_A_PLACE.match(text[other.end :])
+    ]
+    joined += [
+        (mark, name)
+        for name in names
+        if _TENTS.search(name.word)
+        for mark in dict.fromkeys(hugging)
+        if _adjoins(text, marks, mark, name)
     ]
     return joined + [
         (mark, name)

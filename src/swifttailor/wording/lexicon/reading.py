@@ -18,7 +18,7 @@ from swifttailor.wording.lexicon.long_tops import with_long_tops
 from swifttailor.wording.lexicon.marking import find_words
 from swifttailor.wording.lexicon.meanings import Meaning, Role, meanings
 from swifttailor.wording.lexicon.odd_ones import odd_ones
-from swifttailor.wording.lexicon.opposites_in_names import contradicting_pairs
+from swifttailor.wording.lexicon.opposites_in_names import contradicting_pairs, without_closeness
 from swifttailor.wording.lexicon.said_looks import WHOLE, SaidLook, said_looks
 from swifttailor.wording.lexicon.vocabulary import vocabulary
 from swifttailor.wording.lexicon.worn_with import is_worn_with
@@ -179,7 +179,8 @@ def _reading(text: str, language: Language, kind: str | None, dialect: Dialect |
     never = [claim for claim in never if claim not in of_names]
     named = _names_mean(marks)  # "a mini skirt, but not too short" is still a mini skirt
     never = [claim for claim in dict.fromkeys(never) if claim not in named]
-    kept = _settled([i for i in implied if i.claim not in never])
+    pairs = contradicting_pairs(text, marks, implied)
+    kept = _settled([i for i in without_closeness(implied, pairs) if i.claim not in never])
     if kind is None:
         kept = with_long_tops(_with_kind(kept, never), marks)
     kept = _fitting_kind(kept, kind)
@@ -195,7 +196,7 @@ def _reading(text: str, language: Language, kind: str | None, dialect: Dialect |
         tuple(kept),
         tuple(never),
         _lacks(meant, text),
-        tuple([Contradiction(*pair) for pair in contradicting_pairs(text, marks, implied)]),
+        tuple([Contradiction(*pair) for pair in pairs]),
         tuple([color for _, color in colors]),
         tuple([entry.print for mark in meant for entry in mark.entries if entry.print is not None]),
         tuple(

@@ -343,11 +343,12 @@ class _Reader:
         )
 
     def _goes_on(self, j: int, k: int) -> bool:
-        """Whether the only colour of a text stands behind a detail: "coveralls short sleeve orange" are."""
+        """Whether the only colour or cloth stands behind a detail: "coveralls short sleeve orange" are."""
         mark = self._marks[j]
         detail = category_of(mark) == "styles" and (" " in mark.word or is_way_of_cutting(mark))
         colors = [m for m in self._marks if category_of(m) == "colors" and is_look(m)]
-        return detail and colors == [self._marks[k]] and any(m.role == "garment" for m in self._marks[:j])
+        alike = [m for m in self._marks if is_cloth(m)] if is_cloth(self._marks[k]) else colors
+        return detail and alike == [self._marks[k]] and any(m.role == "garment" for m in self._marks[:j])
 
     def _is_bare_part(self, j: int) -> bool:
         mark = self._marks[j]

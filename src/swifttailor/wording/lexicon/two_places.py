@@ -10,8 +10,16 @@ _PLACES: tuple[tuple[tuple[str, str], ...], ...] = (
         ("back", r"behind|back|rear|hinten|dos|detr[aá]s"),
     ),
     (
-        ("above", r"above|upper|on top|at the top|top|to the elbow|shoulders?|bodice|bust|chest|waist up"),
-        ("below", r"below|lower|bottom|from the elbow|under|hem|wrists?|skirt|hips?|waist down|legs?"),
+        (
+            "above",
+            r"above|upper|on top|at the top|top|to the elbow|shoulders?|bodice|bust|chest|waist up"
+            r"|oben|obenrum|en haut|arriba|(?:di )?sopra|boven|em cima",
+        ),
+        (
+            "below",
+            r"below|lower|bottom|from the elbow|under|hem|wrists?|skirt|hips?|waist down|legs?"
+            r"|unten|untenrum|en bas|abajo|(?:di )?sotto|onder|em baixo",
+        ),
     ),
     (("left", r"left"), ("right", r"right")),
     (("inside", r"inner|inside|under layer|lining"), ("outside", r"outer|outside|over layer")),
