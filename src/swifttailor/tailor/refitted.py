@@ -12,14 +12,22 @@ from swifttailor.tailor.room_for_necks import with_room_for_the_neck
 
 _LARGE, _SHORT_CM = 1.3, 30.0
 """Times the bust of the default body; sleeves, shoulder tip to end."""
+_WIDE_HIPS = 1.15
+"""Times the hips of the default body."""
+_LEGGED = frozenset(
+    {"trousers", "pull-on-trousers", "jumpsuit", "wrap-jumpsuit", "strappy-jumpsuit", "strapless-jumpsuit"}
+    | {"halter-jumpsuit"}
+)
+"""Drafts whose hems grow less than hips do where they are refitted: legs of large bodies would taper, and
+calves catch them."""
 
 
 def refitted(answer: Answer, body: Body) -> Answer:
     """An answer with its pattern refitted to a body; as it is where it was drafted for that body.
 
-    Sleeves that are cut in one with the body would grow as the trunk does and point past the arms, and short
-    ones of very large bodies would grow by a third and fold under on the shoulders: where nothing else was
-    cut, such a pattern is drafted anew.
+    Sleeves that are cut in one with the body would grow as the trunk does and point past the arms, short
+    ones of very large bodies would grow by a third and fold under on the shoulders, and the hems of their
+    legs would hardly grow: where nothing else was cut, such a pattern is drafted anew.
 
     Raises:
         SwiftTailorError: Its pattern cannot be sewn, or the body cannot be measured.
@@ -59,9 +67,14 @@ def _outgrows_short_sleeves(pattern: Pattern, body: Body) -> bool:
 def _drafted_anew(answer: Answer, body: Body) -> Pattern | None:
     """The draft of an answer, made for a body; None where it is to be refitted."""
     begun = answer.drafted
-    if begun is None or answer.cuts or not (begun.has_wings or _outgrows_short_sleeves(answer.pattern, body)):
+    if begun is None or answer.cuts:
         return None
-    made = begun.made_for(body.measurements)
+    if begun.name in _LEGGED and body.measurements.hips > _WIDE_HIPS * Body.default().measurements.hips:
+        made = begun.as_long_on(body.measurements)
+    elif begun.has_wings or _outgrows_short_sleeves(answer.pattern, body):
+        made = begun.made_for(body.measurements)
+    else:
+        return None
     if [panel.name for panel in made.panels] != [panel.name for panel in answer.pattern.panels]:
         return None
     return replace(answer.pattern, panels=made.panels, stitches=made.stitches, drafted_for=body.made_for)
