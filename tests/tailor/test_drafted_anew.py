@@ -58,13 +58,16 @@ def test_others_are_refitted(monkeypatch, wearer, armhole, cuts):
     assert refitted(answer(armhole, cuts=cuts), wearer).pattern.name == "fit"
 
 
-@pytest.mark.parametrize(("size", "cuts", "anew"), [(26, (), True), (26, ("a",), False), (14, (), False)])
-def test_legs_of_large_bodies_are_drafted_for_them(monkeypatch, size, cuts, anew):
+@pytest.mark.parametrize(
+    ("size", "flare", "cuts", "anew"),
+    [(26, -16.0, (), True), (26, -8.0, (), False), (26, -16.0, ("a",), False), (14, -16.0, (), False)],
+)
+def test_tapered_legs_of_large_bodies_are_drafted_for_them(monkeypatch, size, flare, cuts, anew):
     monkeypatch.setattr(
         "swifttailor.refitting.refitted.fit", lambda pattern, body: replace(pattern, name="fit")
     )
     body = Wearer(size=f"women UK {size}").body()
-    begun = DraftCandidate(NamedDraft("trousers", (("leg_ease", 17.0), ("flare", -8.0))), 0, plain=True)
+    begun = DraftCandidate(NamedDraft("trousers", (("leg_ease", 17.0), ("flare", flare))), 0, plain=True)
     pattern = begun.take().pattern
     made = refitted(Answer(pattern, draft=begun.name, drafted=begun, cuts=cuts), body).pattern
     assert (made.name == "fit") is not anew

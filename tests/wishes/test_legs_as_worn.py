@@ -31,7 +31,7 @@ def reader():
         ("high waisted leggings", "leggings", {"below_waist": -3.5}),
         ("Marlenehose", "trousers", {"below_waist": -3.0, "leg_ease": 42.0}),
         ("forties style trousers", "trousers", {"below_waist": -3.5, "leg_ease": 34.0}),
-        ("trousers that narrow gradually to the ankle", "trousers", {"leg_ease": 17.0, "flare": -18.0}),
+        ("trousers that narrow gradually to the ankle", "trousers", {"leg_ease": 17.0, "flare": -15.0}),
         ("trousers, easy over the knee, narrow at the ankle", "trousers", {"leg_ease": 17.0}),
         ("trousers high enough at the back", "trousers", {"back_rise": 4.0}),
         ("cropped halter jumpsuit", "halter-jumpsuit", {"length": 84.0, "flare": -1.0}),

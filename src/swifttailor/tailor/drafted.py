@@ -19,8 +19,8 @@ VARIED = frozenset({"length", "flare", "neck_depth", "neck_widening", "sleeve_le
 """Options that differ from seed to seed."""
 SHARE = 0.25
 """How far at most, towards either end of what an option accepts."""
-_ROOM_CM, _STRAIGHT_CM = (14.0, 22.0), -9.0
-"""Room of straight legs that is made more on large bodies, and by how much such legs narrow at most, cm."""
+_NARROWS_CM, _WIDE_CM = -9.0, 30.0
+"""By how much hems of such legs are narrower than the knee, and room of wide ones, cm."""
 _NOT_DRAFTED = (
     "Garments begin from a draft where the lexicon names one, and in this text it does not: choose another "
     "--source. swifttailor draft --list names all drafts."
@@ -54,11 +54,17 @@ class DraftCandidate:
             options |= self._varied(options)
         return draft(self.name, measurements=measurements, **self._accepted(options))
 
-    def as_long_on(self, measurements: Measurements) -> Pattern:
-        """The pattern of legs for a large body, where they end as high in proportion as on the default one.
+    @property
+    def narrows_or_is_wide(self) -> bool:
+        """Whether its legs narrow to the hem, or are wide, which legs refitted to large bodies hardly are."""
+        from swifttailor.pattern.drafts import find_draft
 
-        What is to fall straight has more room there: calves would catch it.
-        """
+        options: dict[str, Any] = {field.name: field.default for field in find_draft(self.name).options}
+        options |= dict(self.draft.options)
+        return float(options["flare"]) <= _NARROWS_CM or float(options["leg_ease"]) >= _WIDE_CM
+
+    def as_long_on(self, measurements: Measurements) -> Pattern:
+        """The pattern of legs for a large body, which end as high in proportion as usual."""
         from swifttailor.pattern.drafts import draft, find_draft
         from swifttailor.pattern.drafts.figure import Figure
         from swifttailor.pattern.drafts.measurements import DraftMeasurements
@@ -69,9 +75,6 @@ class DraftCandidate:
         own = {field.name: field.default for field in find_draft(self.name).options}
         taller = Figure.of(measurements).waist_y / Figure.of(DraftMeasurements()).waist_y
         options["length"] = round(taller * float(options.get("length", own["length"])), 1)
-        room, flare = (float(options.get(name, own[name])) for name in ("leg_ease", "flare"))
-        if _ROOM_CM[0] < room < _ROOM_CM[1] and _STRAIGHT_CM < flare <= 0:
-            options["leg_ease"] = _ROOM_CM[1]
         return draft(self.name, measurements=measurements, **self._accepted(options))
 
     @property

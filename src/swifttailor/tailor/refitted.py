@@ -18,16 +18,16 @@ _LEGGED = frozenset(
     {"trousers", "pull-on-trousers", "jumpsuit", "wrap-jumpsuit", "strappy-jumpsuit", "strapless-jumpsuit"}
     | {"halter-jumpsuit"}
 )
-"""Drafts whose hems grow less than hips do where they are refitted: legs of large bodies would taper, and
-calves catch them."""
+"""Drafts whose hems hardly grow where they are refitted: calves of large bodies catch narrow ones as they
+fall, and wide ones are no longer wide."""
 
 
 def refitted(answer: Answer, body: Body) -> Answer:
     """An answer with its pattern refitted to a body; as it is where it was drafted for that body.
 
     Sleeves that are cut in one with the body would grow as the trunk does and point past the arms, short
-    ones of very large bodies would grow by a third and fold under on the shoulders, and the hems of their
-    legs would hardly grow: where nothing else was cut, such a pattern is drafted anew.
+    ones of very large bodies would grow by a third and fold under on the shoulders, and the hems of narrow
+    and wide legs would hardly grow: where nothing else was cut, such a pattern is drafted anew.
 
     Raises:
         SwiftTailorError: Its pattern cannot be sewn, or the body cannot be measured.
@@ -69,7 +69,8 @@ def _drafted_anew(answer: Answer, body: Body) -> Pattern | None:
     begun = answer.drafted
     if begun is None or answer.cuts:
         return None
-    if begun.name in _LEGGED and body.measurements.hips > _WIDE_HIPS * Body.default().measurements.hips:
+    large = body.measurements.hips > _WIDE_HIPS * Body.default().measurements.hips
+    if large and begun.name in _LEGGED and begun.narrows_or_is_wide:
         made = begun.as_long_on(body.measurements)
     elif begun.has_wings or _outgrows_short_sleeves(answer.pattern, body):
         made = begun.made_for(body.measurements)

@@ -36,8 +36,8 @@ NARROWING_CM = -9.0
 """Wider legs whose hems are so much narrower than the knee do, too: else a calf catches them as they fall."""
 NARROW_CM = 7.0
 """So do legs with less room at the hem: a calf catches them as they fall."""
-_WIDE_HIPS_CM, _SHARE_PER_CM, _MOST_STRAIGHT, _MOST_NARROWING = 115.0, 0.006, 0.22, 0.36
-"""Hips from which side seams run inward by more, by how much for each cm, and up to which part."""
+_WIDE_HIPS_CM, _SHARE_PER_CM, _MOST_SHARE = 115.0, 0.006, 0.36
+"""Hips from which side seams of narrowing legs run inward by more, by how much per cm, and at most."""
 CLOSE_LEGS_CM = 3.5
 """Legs with less room than this lie close all the way down, as of jersey."""
 SLANT = 2.0
@@ -217,10 +217,9 @@ def _leg_lines(figure: Figure, shape: Trousers, hips: Halves, taken: Suppression
 def _side_share(figure: Figure, shape: Trousers) -> float:
     """Part of what the leg narrows that its side seam takes: more below wide hips, where legs run inward."""
     wider = max(figure.hips.girth - _WIDE_HIPS_CM, 0.0)
-    most = _MOST_NARROWING if shape.flare <= NARROWING_CM else _MOST_STRAIGHT
-    if shape.of_bodice:
+    if shape.flare > NARROWING_CM or shape.of_bodice:
         return shape.side_share
-    return max(shape.side_share, min(shape.side_share + _SHARE_PER_CM * wider, most))
+    return max(shape.side_share, min(shape.side_share + _SHARE_PER_CM * wider, _MOST_SHARE))
 
 
 def _without_darts(wide: Halves, narrow: Halves) -> Suppression:

@@ -54,6 +54,9 @@ _WIDEST_SHORTS: Mapping[str, float] = {"leg_ease": 60.0, "flare": 6.0}
 _BAGGY: Mapping[str, float] = {"hip_ease": 14.0, "leg_ease": 30.0, "flare": -4.0}
 """Joggers with wide legs: they are baggy, and no harem trousers unless those are meant."""
 _TAPERED, _TO_THE_ANKLE_CM, _WIDE_BAND_CM = Claim("legs", "tapered"), 97.0, 10.5
+_TAPERED_LEGS: Mapping[str, float] = {"leg_ease": 17.0, "flare": -15.0}
+_TAPERED_CM, _NARROWS_CM = 98.0, -9.0
+"""How long tapered legs are, and by how much legs narrow that are tapered as they are, cm."""
 _ROOMY: Mapping[str, float] = {"hip_ease": 15.0, "leg_ease": 20.0, "flare": -16.0}
 """Trousers that are wide at the hips and narrow below."""
 _LOOSE, _LOOSE_CM = Claim("hips", "loose"), 12.0
@@ -143,6 +146,8 @@ def _with_legs(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
             options["flare"] = max(float(options.get("flare", 0.0)), 0.0)
     if draft.name == "trousers" and {_LOOSE, _TAPERED} <= frozenset(claims):
         return _roomy_and_tapered(options, claims)
+    if draft.name in _MAY_DRAG and _TAPERED in claims:
+        options |= _tapered_legs(options)
     if draft.name in _MAY_DRAG and _WIDE in claims and float(options.get("leg_ease", _CLOSEST)) < _WIDE_CM:
         options |= _wide_legs(options, claims)
     if DRAFT_KINDS[draft.name] == "trousers":
@@ -165,6 +170,14 @@ def _with_legs(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     if _LOOSE in claims:
         options["hip_ease"] = max(_LOOSE_CM, float(options.get("hip_ease", 0.0)))
     return replace(draft, options=tuple(options.items()))
+
+
+def _tapered_legs(options: Mapping[str, float | bool | str]) -> Mapping[str, float]:
+    """Legs that taper where a name has straight ones: cut so afterwards they stand off at the hips."""
+    length = float(options.get("length", _FULL_CM))
+    if length < _LONG_LEGS_CM[0] or float(options.get("flare", 0.0)) <= _NARROWS_CM:
+        return {}
+    return {**_TAPERED_LEGS, "length": min(length, _TAPERED_CM)}
 
 
 def _wide_legs(options: Mapping[str, float | bool | str], claims: Sequence[Claim]) -> Mapping[str, float]:
