@@ -41,7 +41,7 @@ def reader() -> WishReader:
         ("pyjama jacket", "shirt", {"collar": "revers", "cuffs": False}),
         ("nuisette", "slip-dress", {"length": 44.0}),
         ("cigarette trousers", "jeans", {"length": 95.0, "leg_ease": 3.0}),
-        ("elasticated trousers", "pull-on-trousers", {"leg_ease": 16.0}),
+        ("elasticated trousers", "pull-on-trousers", {"leg_ease": 20.0}),
         ("leotard with tank straps", "bodysuit", {"sleeves": False, "strap_width": 4.5}),
         ("fencing breeches", "joggers", {"length": 73.0}),
         ("cycling jersey", "turtleneck", {"hem_dip": 5.0}),

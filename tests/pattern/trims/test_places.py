@@ -172,7 +172,7 @@ SHOULD_HAVE = {
     "illusion yoke": ("skater-dress", "fitted-dress", "t-shirt", "shift-dress", "empire-dress"),
     "bustle": ("circle-skirt", "skater-dress", "fitted-dress"),
     "hoops": ("gathered-skirt", "circle-skirt", "strapless-dress"),
-    "side tie": ("wrap-top", "wrap-dress", "t-shirt", "cardigan"),
+    "side tie": ("wrap-top", "wrap-dress", "wrap-jumpsuit", "t-shirt", "cardigan"),
 }
 CHILDREN = (60.0, 92.0, 110.0, 128.0, 152.0)
 SOME = tuple(info for info in list_drafts() if info.name not in ("gored-skirt", "pleated-skirt"))
