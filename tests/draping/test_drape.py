@@ -156,6 +156,8 @@ def test_attachments():
     assert len(held.vertices) > 10 and (held.levels == m.waist_level).all() and not held.at_first.any()
     low = find_attachment(mesh_pattern(draft("jeans", below_waist=8.0), 5.0), m)
     assert low.levels.max() <= m.waist_level - 6.0 and low.levels.min() > m.hips_level
+    high = find_attachment(mesh_pattern(draft("trousers", below_waist=-4.0), 5.0), m)
+    assert high.levels.min() == pytest.approx(m.waist_level + 4.0, abs=0.5)
     # Without labels the topmost free edges are held instead.
     from dataclasses import replace
 

@@ -8,6 +8,7 @@ import pytest
 
 from swifttailor.body import Body
 from swifttailor.body.wearer import Wearer
+from swifttailor.describing.measuring import measure_facts
 from swifttailor.pattern.drafts import draft
 from swifttailor.pattern.drafts.draft_names import NamedDraft
 from swifttailor.tailor.answer import Answer
@@ -55,3 +56,23 @@ def test_others_are_refitted(monkeypatch, wearer, armhole, cuts):
         "swifttailor.refitting.refitted.fit", lambda pattern, body: replace(pattern, name="fit")
     )
     assert refitted(answer(armhole, cuts=cuts), wearer).pattern.name == "fit"
+
+
+@pytest.mark.parametrize(
+    ("size", "flare", "cuts", "anew"),
+    [(26, -16.0, (), True), (26, -8.0, (), False), (26, -16.0, ("a",), False), (14, -16.0, (), False)],
+)
+def test_tapered_legs_of_large_bodies_are_drafted_for_them(monkeypatch, size, flare, cuts, anew):
+    monkeypatch.setattr(
+        "swifttailor.refitting.refitted.fit", lambda pattern, body: replace(pattern, name="fit")
+    )
+    body = Wearer(size=f"women UK {size}").body()
+    begun = DraftCandidate(NamedDraft("trousers", (("leg_ease", 17.0), ("flare", flare))), 0, plain=True)
+    pattern = begun.take().pattern
+    made = refitted(Answer(pattern, draft=begun.name, drafted=begun, cuts=cuts), body).pattern
+    assert (made.name == "fit") is not anew
+    if anew:  # as high above the floor in proportion, and wider at the hem
+        usual, large = (measure_facts(one) for one in (pattern, made))
+        taller = body.measurements.waist_level / Body.default().measurements.waist_level
+        assert large.hem.level == pytest.approx(taller * usual.hem.level, abs=1.0)
+        assert large.trousers.hem > usual.trousers.hem + 5.0

@@ -128,7 +128,7 @@ SLITS = [Claim("slit", "left"), Claim("slit", "right")]
             [Claim("legs", "flared")],
             "flares(stretch=8;leg_ease=8;hip_ease=2;flare=28;length=103;band_height=7;crotch_drop=0)",
         ),
-        ("leggings", [Claim("waistband", "wide")], "leggings(band_height=9)"),
+        ("leggings", [Claim("waistband", "wide")], "leggings(band_height=10.5)"),
         ("leggings(length=58)", [Claim("leg_hem", "mid-thigh")], "leggings(length=47)"),
         ("leggings(length=58)", [Claim("leg_hem", "very short")], "leggings(length=43)"),
         ("briefs(below_waist=10)", [Claim("rise", "high")], "briefs(below_waist=2)"),

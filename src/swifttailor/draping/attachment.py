@@ -13,8 +13,10 @@ from swifttailor.draping.placement import place_vertices
 from swifttailor.panel_mesh.pattern_mesh import PatternMesh
 from swifttailor.pattern.check import hangs_from_shoulders
 
-LOW_RISE_CM = 2.0
-"""Waistbands placed this far below the waist are worn there."""
+LOW_RISE_CM = HIGH_RISE_CM = 2.0
+"""Waistbands placed this far below or above the waist are worn there."""
+_HIGHEST_CM = 6.0
+"""Nothing is held up further above it, cm."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -32,11 +34,11 @@ class Attachment:
 def find_attachment(mesh: PatternMesh, measurements: BodyMeasurements) -> Attachment:
     """Finds what holds a garment up that does not hang from the shoulders.
 
-    A skirt or trousers are held at the waist by the edges labelled ``lower_interface``, or below it where
-    they are placed there (low rises); files without labels by the topmost free edges. A strapless top is
-    held by ``strapless_top``. A garment with a shoulder rests on it; only while it is put on, its neckline
-    (``left_collar``, ``right_collar``) is kept from slipping down over the arms. Pulling its waist up would
-    turn its bodice over.
+    A skirt or trousers are held at the waist by the edges labelled ``lower_interface``, or below or above it
+    where they are placed there (low and high rises); files without labels by the topmost free edges. A
+    strapless top is held by ``strapless_top``. A garment with a shoulder rests on it; only while it is put
+    on, its neckline (``left_collar``, ``right_collar``) is kept from slipping down over the arms. Pulling
+    its waist up would turn its bodice over.
 
     A strapless top is held where its panels stand, at most at the armpits: without friction, as it is sewn,
     a tight one slides off the bust. The armpit level itself would push it up into the arms.
@@ -54,9 +56,11 @@ def find_attachment(mesh: PatternMesh, measurements: BodyMeasurements) -> Attach
 
 
 def _waist_levels(mesh: PatternMesh, held: Ints, measurements: BodyMeasurements) -> NDArray[np.float64]:
-    """(k,) the waist, or lower down where panels stand so much lower that the pattern means it."""
+    """(k,) the waist, or where panels stand so much lower or higher that the pattern means it."""
     waist = measurements.waist_level
     placed = place_vertices(mesh)[held, 1]
+    if len(held) and float(placed.mean()) > waist + HIGH_RISE_CM:
+        return np.minimum(placed, waist + _HIGHEST_CM)
     low = len(held) > 0 and float(placed.mean()) < waist - LOW_RISE_CM
     return np.minimum(placed, waist) if low else np.full(len(held), waist)
 

@@ -63,6 +63,7 @@ _IN_ANOTHER: Mapping[str, tuple[str, str]] = {
 }
 """What is of another colour than the cloth, where none is told: on darker cloth, and on light cloth."""
 _SOFT = (
+    "creases",
     "pleated front",
     "fine pleats",
     "neck pleats",

@@ -21,6 +21,8 @@ SHARE = 0.25
 """How far at most, towards either end of what an option accepts."""
 _SLEEVE_END, _THICKER = "sleeve_end", 1.1
 """An option that is told for usual arms, and times the armhole from which arms are thicker."""
+_NARROWS_CM, _WIDE_CM = -9.0, 30.0
+"""By how much hems of such legs are narrower than the knee, and room of wide ones, cm."""
 _NOT_DRAFTED = (
     "Garments begin from a draft where the lexicon names one, and in this text it does not: choose another "
     "--source. swifttailor draft --list names all drafts."
@@ -52,6 +54,29 @@ class DraftCandidate:
         options: dict[str, Any] = {**dict(self.draft.options), **self._ends_for(measurements)}
         if not self.plain:
             options |= self._varied(options)
+        return draft(self.name, measurements=measurements, **self._accepted(options))
+
+    @property
+    def narrows_or_is_wide(self) -> bool:
+        """Whether its legs narrow to the hem, or are wide, which legs refitted to large bodies hardly are."""
+        from swifttailor.pattern.drafts import find_draft
+
+        options: dict[str, Any] = {field.name: field.default for field in find_draft(self.name).options}
+        options |= dict(self.draft.options)
+        return float(options["flare"]) <= _NARROWS_CM or float(options["leg_ease"]) >= _WIDE_CM
+
+    def as_long_on(self, measurements: Measurements) -> Pattern:
+        """The pattern of legs for a large body, which end as high in proportion as usual."""
+        from swifttailor.pattern.drafts import draft, find_draft
+        from swifttailor.pattern.drafts.figure import Figure
+        from swifttailor.pattern.drafts.measurements import DraftMeasurements
+
+        options: dict[str, Any] = dict(self.draft.options)
+        if not self.plain:
+            options |= self._varied(options)
+        own = {field.name: field.default for field in find_draft(self.name).options}
+        taller = Figure.of(measurements).waist_y / Figure.of(DraftMeasurements()).waist_y
+        options["length"] = round(taller * float(options.get("length", own["length"])), 1)
         return draft(self.name, measurements=measurements, **self._accepted(options))
 
     @property

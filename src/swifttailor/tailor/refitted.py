@@ -11,6 +11,7 @@ from swifttailor.errors import SwiftTailorError
 from swifttailor.pattern import Pattern
 from swifttailor.tailor.answer import Answer
 from swifttailor.tailor.large_drafts import drafted_for_large
+from swifttailor.tailor.large_legs import legs_for_large
 from swifttailor.tailor.room_for_necks import with_room_for_the_neck
 
 _LARGE, _SHORT_CM = 1.3, 30.0
@@ -23,8 +24,9 @@ def refitted(answer: Answer, body: Body) -> Answer:
 
     Sleeves that are cut in one with the body would grow as the trunk does and point past the arms, and short
     ones of very large bodies would grow by a third and fold under on the shoulders: where nothing else was
-    cut, such a pattern is drafted anew. So is one of which a panel crosses itself when it is refitted, as
-    where a dart closes; lengths that are asked for are cut again afterwards (`lengths_kept`).
+    cut, such a pattern is drafted anew. So are tops and legs for large bodies (`large_drafts`, `large_legs`),
+    and what has a panel that crosses itself when it is refitted, as where a dart closes; lengths that are
+    asked for are cut again afterwards (`lengths_kept`).
 
     Raises:
         SwiftTailorError: Its pattern cannot be sewn, or the body cannot be measured.
@@ -34,7 +36,7 @@ def refitted(answer: Answer, body: Body) -> Answer:
 
     if body.made_for is not None and answer.pattern.drafted_for == body.made_for:
         return answer
-    pattern = drafted_for_large(answer, body)
+    pattern = drafted_for_large(answer, body) or legs_for_large(answer, body)
     if pattern is None and _is_better_anew(answer, body):
         pattern = _drafted_anew(answer, body)
     if pattern is None:

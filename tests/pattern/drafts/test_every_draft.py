@@ -57,7 +57,7 @@ def test_panels_face_outward_on_their_side(name):
         assert normal @ [middle[0], 0.0, middle[2]] > 5.0, panel.name
 
 
-ONE_SIDED = {"wrap-dress", "wrap-top", "blazer", "coat", "hooded-coat", "robe", "cardigan"}
+ONE_SIDED = {"wrap-dress", "wrap-jumpsuit", "wrap-top", "blazer", "coat", "hooded-coat", "robe", "cardigan"}
 """The right front of these lies over the left one, or runs on to the left side, where the back has a joint
 that the other side lacks."""
 

@@ -175,6 +175,7 @@ SHOULD_HAVE = {
     "side tie": ("wrap-top", "wrap-dress", "t-shirt", "cardigan"),
     "kick pleat": ("fitted-skirt", "fitted-dress"),
     "princess panels": ("skater-dress", "fitted-dress"),
+    "side tie": ("wrap-top", "wrap-dress", "wrap-jumpsuit", "t-shirt", "cardigan"),
 }
 CHILDREN = (60.0, 92.0, 110.0, 128.0, 152.0)
 SOME = tuple(info for info in list_drafts() if info.name not in ("gored-skirt", "pleated-skirt"))

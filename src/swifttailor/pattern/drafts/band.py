@@ -81,13 +81,16 @@ def lay_body_waist_band(
         figure: The body.
         height: Of the band at its sides, cm.
         ease: On top of the body's girth, cm around.
-        below_waist: How far below the waist the upper edge is, cm.
+        below_waist: How far below the waist the upper edge is, cm; above it below 0.
         back_rise: How much higher it is in the middle of the back, cm.
 
     Returns:
         Half widths of its lower edge, cm: what is sewn to it.
     """
-    upper = (figure.girth_below_waist(below_waist) if below_waist else figure.waist).eased(ease)
+    girth = (
+        figure.girth_below_waist(below_waist) if below_waist >= 0 else figure.girth_above_waist(-below_waist)
+    )
+    upper = girth.eased(ease)
     below = figure.girth_below_waist(below_waist + height).eased(ease)
     lower = Halves(
         upper.front + CONTOUR * max(below.front - upper.front, 0.0),

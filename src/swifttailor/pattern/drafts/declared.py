@@ -81,7 +81,7 @@ SkirtLength = Annotated[float, Option("Body's waist to the hem, down the middle.
 SkirtFlare = Annotated[
     float, Option("Slant of the side seams below the hips; negative narrows the hem.", "degrees", -8.0, 18.0)
 ]
-BandHeight = Annotated[float, Option("Height of the waistband.", "cm", 2.0, 9.0)]
+BandHeight = Annotated[float, Option("Height of the waistband.", "cm", 2.0, 11.0)]
 SkirtYoke = Annotated[
     float,
     Option(
@@ -210,5 +210,7 @@ LegSlits = Annotated[
 BackRise = Annotated[
     float, Option("How much higher the waistband is in the middle of the back.", "cm", 0.0, 6.0)
 ]
-BelowWaist = Annotated[float, Option("Upper edge below the body's waist.", "cm", 0.0, 16.0)]
+BelowWaist = Annotated[
+    float, Option("Upper edge below the body's waist; above it below 0.", "cm", -5.0, 16.0)
+]
 BandEase = Annotated[float, Option("Room of the waistband on top of the waist girth.", "cm", -2.0, 4.0)]

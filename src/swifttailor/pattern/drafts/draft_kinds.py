@@ -54,6 +54,7 @@ DRAFT_KINDS: Mapping[str, DraftKind] = {
     "strapless-jumpsuit": "jumpsuit",
     "strappy-jumpsuit": "jumpsuit",
     "halter-jumpsuit": "jumpsuit",
+    "wrap-jumpsuit": "jumpsuit",
     "bodysuit": "jumpsuit",
     "swimsuit": "jumpsuit",
     "dungarees": "jumpsuit",

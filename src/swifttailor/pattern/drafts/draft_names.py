@@ -305,7 +305,7 @@ def _value(text: str) -> float | bool | str:
 
 DRAFTS_SHOW: Mapping[str, tuple[str, ...]] = {
     "pleated-skirt": ("pleats",),
-    **dict.fromkeys(("wrap-skirt", "wrap-dress", "sarong"), ("wrap",)),
+    **dict.fromkeys(("wrap-skirt", "wrap-dress", "wrap-jumpsuit", "sarong"), ("wrap",)),
     **dict.fromkeys(("strapless-dress", "bustier"), ("sweetheart",)),
     "polo-shirt": ("shirt_collar",),
     "shirt": ("shirt_collar", "open_front"),
@@ -383,6 +383,7 @@ _CROSSED = "Its bodice does not overlap in front: a seam runs where the edge of 
 _BUTTONED = "Its front is sewn together where buttons would close it, and open below."
 STANDS_IN: Mapping[str, str] = {
     "wrap-dress": _CROSSED,
+    "wrap-jumpsuit": _CROSSED,
     "wrap-top": _CROSSED,
     "pleated-skirt": "Each pleat is cut as strips; where they meet in a fold, cut them in one.",
     "shirt": "Its front is sewn together where buttons would close it.",

@@ -19,6 +19,8 @@ ANKLE_PER_CALF = 0.66
 """Ankle girth over calf girth."""
 ANKLE_X_PER_HIPS = 0.103
 """How far from the middle the ankles stand over the hip girth; GarmentCode does not measure it."""
+_RIBS = 0.5
+"""Part of the way from waist to bust that the ribs just above the waist widen."""
 _CALF_PER_KNEE, _ANKLE_PER_KNEE = 0.7, 0.25
 """Heights of calf and ankle over the height of the knee."""
 
@@ -129,10 +131,17 @@ class Figure:
         return self.neck_y - self.slope * (x - self.neck_x)
 
     def girth_below_waist(self, drop: float) -> Halves:
-        """Half girths `drop` cm below the waist: straight between waist and hips, constant below."""
+        """Half girths `drop` cm below the waist: straight between waist and hips, constant beyond."""
         t = min(max(drop / (self.waist_y - self.hip_y), 0.0), 1.0)
         return Halves(
             (1 - t) * self.waist.front + t * self.hips.front, (1 - t) * self.waist.back + t * self.hips.back
+        )
+
+    def girth_above_waist(self, rise: float) -> Halves:
+        """Half girths `rise` cm above the waist: they widen half as fast as straight lines to the bust do."""
+        t = _RIBS * min(max(rise / (self.bust_y - self.waist_y), 0.0), 1.0)
+        return Halves(
+            (1 - t) * self.waist.front + t * self.bust.front, (1 - t) * self.waist.back + t * self.bust.back
         )
 
     def arm_girth(self, distance: float) -> float:

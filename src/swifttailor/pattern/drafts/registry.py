@@ -28,6 +28,7 @@ from swifttailor.pattern.drafts.garments import (
     tops,
     trousers,
     wrap,
+    wrap_jumpsuits,
     wrap_skirts,
 )
 from swifttailor.pattern.drafts.measurements import Measurements, checked
@@ -157,6 +158,11 @@ _DRAFTS = (
         "halter-jumpsuit",
         "Jumpsuit held behind the neck, back and shoulders bare",
         bare_shoulders.draft_halter_jumpsuit,
+    ),
+    DraftInfo(
+        "wrap-jumpsuit",
+        "Fronts that seem to cross, trousers sewn to their waist",
+        wrap_jumpsuits.draft_wrap_jumpsuit,
     ),
     DraftInfo("bodysuit", "Darted bodice, sleeves or none, cut out over the legs", one_pieces.draft_bodysuit),
     DraftInfo("swimsuit", "Darted bodice on straps, cut out over the legs", one_pieces.draft_swimsuit),

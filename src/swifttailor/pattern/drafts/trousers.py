@@ -34,6 +34,10 @@ SIDE_SHARE = 0.27
 """Slim legs narrow at the side seams as much as at the inseams, so that they hang around the calves."""
 NARROWING_CM = -9.0
 """Wider legs whose hems are so much narrower than the knee do, too: else a calf catches them as they fall."""
+NARROW_CM = 7.0
+"""So do legs with less room at the hem: a calf catches them as they fall."""
+_WIDE_HIPS_CM, _SHARE_PER_CM, _MOST_SHARE = 115.0, 0.006, 0.36
+"""Hips from which side seams of narrowing legs run inward by more, by how much per cm, and at most."""
 CLOSE_LEGS_CM = 3.5
 """Legs with less room than this lie close all the way down, as of jersey."""
 SLANT = 2.0
@@ -68,6 +72,8 @@ class Trousers:
     """Whether darts take what the waist is narrower; else the side seams and the centre back do."""
     side_share: float = 0.18
     """Part of what the leg loses from thigh to knee that each side seam takes; the inseams take the rest."""
+    of_bodice: bool = False
+    """Whether they hang from a bodice."""
     bow: float = 0.0
     """How far each side seam bows outward between hip and knee, as that of jodhpurs, cm."""
     barrel: float = 0.0
@@ -80,9 +86,10 @@ def legs_of_bodice(
     length: float, hip_ease: float, leg_ease: float, flare: float, crotch_drop: float
 ) -> Trousers:
     """Legs sewn to a bodice, measured as in `Trousers`; those with next to no room have no darts."""
-    share = SIDE_SHARE if flare < 0 else FLARED_SIDE_SHARE if flare > _FLARED_CM else Trousers.side_share
+    narrow = flare <= NARROWING_CM or leg_ease + flare < NARROW_CM
+    share = SIDE_SHARE if narrow else FLARED_SIDE_SHARE if flare > _FLARED_CM else Trousers.side_share
     if leg_ease >= CLOSE_LEGS_CM:
-        return Trousers(length, hip_ease, leg_ease, flare, crotch_drop, side_share=share)
+        return Trousers(length, hip_ease, leg_ease, flare, crotch_drop, side_share=share, of_bodice=True)
     return Trousers(
         length,
         hip_ease,
@@ -93,6 +100,7 @@ def legs_of_bodice(
         darts=False,
         reach=CLOSE_REACH,
         side_share=share,
+        of_bodice=True,
     )
 
 
@@ -196,7 +204,7 @@ def _leg_lines(figure: Figure, shape: Trousers, hips: Halves, taken: Suppression
         side_taken=taken.side,
         knee_width=(hem if knee_y is None else knee) / 2,
         hem_width=hem / 2,
-        side_shift=shape.side_share * (thigh - (hem if knee_y is None else knee)),
+        side_shift=_side_share(figure, shape) * (thigh - (hem if knee_y is None else knee)),
         reach=_reach(figure, shape.reach),
         step=step,
         bow=shape.bow if knee_y is not None else 0.0,
@@ -204,6 +212,14 @@ def _leg_lines(figure: Figure, shape: Trousers, hips: Halves, taken: Suppression
         slit=shape.side_slit if shape.side_slit >= SHORTEST_SLIT else 0.0,
         roomy=shape.leg_ease >= ROOMY_CM,
     )
+
+
+def _side_share(figure: Figure, shape: Trousers) -> float:
+    """Part of what the leg narrows that its side seam takes: more below wide hips, where legs run inward."""
+    wider = max(figure.hips.girth - _WIDE_HIPS_CM, 0.0)
+    if shape.flare > NARROWING_CM or shape.of_bodice:
+        return shape.side_share
+    return max(shape.side_share, min(shape.side_share + _SHARE_PER_CM * wider, _MOST_SHARE))
 
 
 def _without_darts(wide: Halves, narrow: Halves) -> Suppression:

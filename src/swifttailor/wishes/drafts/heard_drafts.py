@@ -12,6 +12,7 @@ from swifttailor.pattern.drafts.draft_names import NamedDraft
 from swifttailor.wishes.drafts.armholes_as_asked import armholes_as_asked, one_racer
 from swifttailor.wishes.drafts.asked_hems import hem_as_asked
 from swifttailor.wishes.drafts.bubble_hems import bubble_as_asked
+from swifttailor.wishes.drafts.bygone_legs import legs_of_their_time
 from swifttailor.wishes.drafts.clinging_drafts import STRETCH, clinging_as_asked, top_clinging_as_asked
 from swifttailor.wishes.drafts.close_skirts import close_skirt_as_asked
 from swifttailor.wishes.drafts.close_wraps import roomy_wrap_as_asked, wrapped_close_as_asked
@@ -23,6 +24,7 @@ from swifttailor.wishes.drafts.godets_as_asked import godets_as_asked
 from swifttailor.wishes.drafts.gored_drafts import gored_as_said
 from swifttailor.wishes.drafts.hearted_drafts import hearted_as_asked
 from swifttailor.wishes.drafts.huge_skirts import huge_as_said
+from swifttailor.wishes.drafts.legged_drafts import short_as_a_playsuit
 from swifttailor.wishes.drafts.legs_by_words import legs_as_said
 from swifttailor.wishes.drafts.loosened_drafts import is_to_be_loose, loosened_as_asked
 from swifttailor.wishes.drafts.low_skirts import low_as_asked
@@ -87,6 +89,7 @@ _OF_DETAILS: Mapping[str, tuple[str, ...]] = {
 _NECKS = ("neckline", "collar", "hood", "straps")
 _CUT_AS = {"tunic": "top", "shorts": "trousers", "playsuit": "jumpsuit"}
 """Kinds that are drafted as others."""
+_PLAYSUIT = "playsuit"
 _STRAIGHT = Claim("skirt", "straight")
 _FULL_SKIRTS = {Claim("skirt", "flared"), Claim("skirt", "circle")}
 _WHATEVER = NamedDraft("t-shirt", (("neck_widening", -1.0), ("chest_ease", 8.0), ("waist_shaping", 1.0)))
@@ -143,6 +146,8 @@ def drafts_of(heard: Heard) -> tuple[NamedDraft, ...]:
     if asks_for_sailor_collar(entries):
         fitting = [with_sailor_collar(draft) for draft in fitting]
     fitting = [legs_as_said(draft, heard.text, elastic_meant(heard), heard.never) for draft in fitting]
+    told = any(claim.name in ("legs", "leg_width_cm") for claim in sure)
+    fitting = [legs_of_their_time(draft, heard.text, told=told) for draft in fitting]
     fitting = [legs_as_measured(draft, heard.text, sure) for draft in fitting]
     lacks = frozenset([lack.what for lack in heard.lacks])
     fitting = [with_details(draft, lacks, sure) for draft in fitting]
@@ -231,7 +236,10 @@ def _begun(heard: Heard, entries: Sequence[Entry], sure: Sequence[Claim]) -> lis
         fitting = [draft_of_name(entry, kind or "", sure) for entry, kind in kinds]
         if _says_details(heard) and not any(heard.kind in entry.kinds for entry in heard.meant):
             fitting = [draft_of_kind(heard.kind, sure)]
-    return [as_not_refused(draft, heard.never) for draft in fitting if draft is not None]
+    fitting = [draft for draft in fitting if draft is not None]
+    if heard.kind == _PLAYSUIT:
+        fitting = [short_as_a_playsuit(draft) for draft in fitting]
+    return [as_not_refused(draft, heard.never) for draft in fitting]
 
 
 def _is_a_crewneck(sure: Sequence[Claim]) -> bool:
@@ -376,8 +384,8 @@ def _most_told(entry: Entry) -> int:
     return MOST_OF_KINDS if _says_less(entry) == 2 else MOST_OF_NAMES
 
 
-_WHOLE_LEGS = ("joggers", "leggings")
-"""Drafts that are more than a shape of legs."""
+_WHOLE_LEGS = ("joggers", "leggings", "halter-jumpsuit", "wrap-jumpsuit")
+"""Drafts that are more than a shape of legs, or than a bodice on legs."""
 
 
 def _says_less(entry: Entry) -> int:

@@ -47,12 +47,16 @@ _FULL_CM, _CUFF_CM, _BELOW_CUFFS_CM = 100.0, 8.0, 3.0
 """Length of legs, height of their cuffs where none is told, and what of these may go below the hem, cm."""
 _SHORTS_CM = 66.0
 """Legs that are no longer end at the knee or above."""
+_OF_PLAYSUITS: Mapping[str, float] = {"length": 48.0, "leg_ease": 14.0, "flare": 4.0}
 _WIDE_SHORTS: Mapping[str, float] = {"leg_ease": 60.0, "flare": 2.0}
 _WIDEST_SHORTS: Mapping[str, float] = {"leg_ease": 60.0, "flare": 6.0}
 """As wide as the thigh of the pattern all the way down: what flares from there looks like a skirt."""
 _BAGGY: Mapping[str, float] = {"hip_ease": 14.0, "leg_ease": 30.0, "flare": -4.0}
 """Joggers with wide legs: they are baggy, and no harem trousers unless those are meant."""
-_TAPERED, _TO_THE_ANKLE_CM, _WIDE_BAND_CM = Claim("legs", "tapered"), 92.0, 8.0
+_TAPERED, _TO_THE_ANKLE_CM, _WIDE_BAND_CM = Claim("legs", "tapered"), 97.0, 10.5
+_TAPERED_LEGS: Mapping[str, float] = {"leg_ease": 17.0, "flare": -15.0}
+_TAPERED_CM, _NARROWS_CM = 98.0, -9.0
+"""How long tapered legs are, and by how much legs narrow that are tapered as they are, cm."""
 _ROOMY: Mapping[str, float] = {"hip_ease": 15.0, "leg_ease": 20.0, "flare": -16.0}
 """Trousers that are wide at the hips and narrow below."""
 _LOOSE, _LOOSE_CM = Claim("hips", "loose"), 12.0
@@ -67,9 +71,20 @@ _OF_JERSEY: Mapping[Claim, NamedDraft] = {
 }
 """What leggings are cut as whose legs are to be so: of the same cloth, and close to the knee."""
 _WIDE_BAND, _WIDE_BANDS = Claim("waistband", "wide"), ("leggings", "flares", "jeans", "trousers", "joggers")
-_BROAD_CM = 9.0
+_BROAD_CM = 10.5
 """Height of waistbands that are measured to be wide."""
 _HIGH_RISE = Claim("rise", "high")
+_MAY_BE_HIGH: Mapping[str, float] = {
+    "trousers": 6.0,
+    "pull-on-trousers": 4.0,
+    "jeans": 6.0,
+    "flares": 6.0,
+    "leggings": 8.0,
+    "joggers": 4.0,
+}
+"""Drafts that may begin above the waist, and the least height of their band then, cm."""
+_ABOVE_WAIST_CM = 3.5
+"""How far above the waist high ones begin, so that one sees it."""
 
 
 def legs_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft | None:
@@ -87,6 +102,15 @@ def legs_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft | No
         draft = _OPEN_JOGGERS
     draft = _with_legs(_with_leg_cuffs(draft, claims), claims)
     return None if draft.name == _JOGGERS and _NOT_CUFFED.intersection(claims) else draft
+
+
+def short_as_a_playsuit(draft: NamedDraft) -> NamedDraft:
+    """A jumpsuit that a detail names ("wrap", "halter"), its legs as short as those of playsuits."""
+    options = dict(draft.options)
+    has_legs = DRAFT_KINDS[draft.name] == "jumpsuit" and draft.name not in _WITHOUT_LEGS
+    if not has_legs or float(options.get("length", _FULL_CM)) <= _SHORTS_CM:
+        return draft
+    return replace(draft, options=tuple({**options, **_OF_PLAYSUITS}.items()))
 
 
 def _with_leg_cuffs(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
@@ -122,6 +146,8 @@ def _with_legs(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
             options["flare"] = max(float(options.get("flare", 0.0)), 0.0)
     if draft.name == "trousers" and {_LOOSE, _TAPERED} <= frozenset(claims):
         return _roomy_and_tapered(options, claims)
+    if draft.name in _MAY_DRAG and _TAPERED in claims:
+        options |= _tapered_legs(options)
     if draft.name in _MAY_DRAG and _WIDE in claims and float(options.get("leg_ease", _CLOSEST)) < _WIDE_CM:
         options |= _wide_legs(options, claims)
     if DRAFT_KINDS[draft.name] == "trousers":
@@ -133,6 +159,9 @@ def _with_legs(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
             options |= _above_cuffs(options, claims)
         if _WIDE_BAND in claims and draft.name in _WIDE_BANDS:
             options["band_height"] = max(_BROAD_CM, float(options.get("band_height", 0.0)))
+        if _HIGH_RISE in claims and draft.name in _MAY_BE_HIGH:
+            band = max(_MAY_BE_HIGH[draft.name], float(options.get("band_height", 0.0)))
+            options |= {"below_waist": -_ABOVE_WAIST_CM, "band_height": band}
         if _HIGH_RISE in claims and draft.name == "briefs":
             options["below_waist"] = 2.0
         if draft.name == _LEGGINGS and float(options.get("length", _LONG_LEGS_CM[0])) < _LONG_LEGS_CM[0]:
@@ -141,6 +170,14 @@ def _with_legs(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     if _LOOSE in claims:
         options["hip_ease"] = max(_LOOSE_CM, float(options.get("hip_ease", 0.0)))
     return replace(draft, options=tuple(options.items()))
+
+
+def _tapered_legs(options: Mapping[str, float | bool | str]) -> Mapping[str, float]:
+    """Legs that taper where a name has straight ones: cut so afterwards they stand off at the hips."""
+    length = float(options.get("length", _FULL_CM))
+    if length < _LONG_LEGS_CM[0] or float(options.get("flare", 0.0)) <= _NARROWS_CM:
+        return {}
+    return {**_TAPERED_LEGS, "length": min(length, _TAPERED_CM)}
 
 
 def _wide_legs(options: Mapping[str, float | bool | str], claims: Sequence[Claim]) -> Mapping[str, float]:

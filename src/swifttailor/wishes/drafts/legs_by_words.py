@@ -55,8 +55,8 @@ _TO_FLOOR = re.compile(
     r"|bodenlang|bis (?:zum|auf den) boden|jusqu['’ ]au sol|hasta el suelo)(?!\w)",
     re.IGNORECASE,
 )
-_FLOOR_CM = 107.0
-"""Of legs that reach the floor and do not lie on it."""
+_FLOOR_CM, _FLOOR_NARROW_CM, _WIDE_CM = 107.0, 104.5, 30.0
+"""Of legs that reach the floor and do not lie on it: those with less room than that rest on the feet."""
 _LONG_CM = 90.0
 """Legs that end above the ankle are not meant."""
 _FULL, _SHORTER_CM = Claim("leg_hem", "full"), 92.0
@@ -85,9 +85,12 @@ _CROPPED_CM: Mapping[str, float] = {
     "strappy-jumpsuit": 84.0,
     "strapless-jumpsuit": 84.0,
     "halter-jumpsuit": 84.0,
+    "wrap-jumpsuit": 84.0,
     "dungarees": 84.0,
 }
 """Legs that end a hand above the ankle, as cropped ones do: culottes and capris are shorter by name."""
+_ON_BODICES, _CROPPED_FLARE_CM = tuple([name for name in _CROPPED_CM if name.endswith("jumpsuit")]), -1.0
+"""Jumpsuits whose cropped legs fall straight: they would narrow to the calf."""
 _WHOLE_LEGS = ("trousers", "pull-on-trousers", "jeans", "leggings", "flares")
 _PULLED_ON: Mapping[str, float] = {"hip_ease": 7.0, "leg_ease": 22.0, "flare": -8.0}
 """What trousers that are gathered at the waist have at least, as they have no darts."""
@@ -127,13 +130,16 @@ def legs_as_said(
     long = float(options.get("length", _LONG_CM)) >= _LONG_CM
     if draft.name in _CROPPED_CM and long and _CROPPED.search(text):
         cropped = _SLIGHTLY_CM if _SLIGHTLY.search(text) else _CROPPED_CM[draft.name]
-        return replace(draft, options=tuple({**options, "length": cropped}.items()))
+        more = {"flare": _CROPPED_FLARE_CM} if "flare" not in options and draft.name in _ON_BODICES else {}
+        return replace(draft, options=tuple({**options, "length": cropped, **more}.items()))
     if draft.name in _WHOLE_LEGS and long and _SEVEN_EIGHTHS.search(text):
         return replace(draft, options=tuple({**options, "length": _SHORTER_CM}.items()))
     if draft.name in _LONGEST and long and _DRAGS.search(text) and not _NOT_LONG.search(text):
         draft = replace(draft, options=tuple({**options, "length": _DRAGGING_CM}.items()))
     elif draft.name in _LONGEST and long and _TO_FLOOR.search(text):
-        draft = replace(draft, options=tuple({**options, "length": _FLOOR_CM}.items()))
+        wide = float(options.get("leg_ease", _WIDE_CM)) >= _WIDE_CM
+        length = _FLOOR_CM if wide else _FLOOR_NARROW_CM
+        draft = replace(draft, options=tuple({**options, "length": length}.items()))
     elif draft.name in _NOT_DRAGGING and long and _TO_FLOOR.search(text):
         draft = replace(draft, options=tuple({**options, "length": _NOT_DRAGGING[draft.name]}.items()))
     elif draft.name in _LONGEST and _FULL in never:

@@ -22,6 +22,7 @@ _SET_IN = (
     "bodysuit",
     "wrap-top",
     "wrap-dress",
+    "wrap-jumpsuit",
 )
 """Drafts that have sleeves where an option says so."""
 _BELOW_SHOULDERS = ("off-shoulder-top", "off-shoulder-dress")

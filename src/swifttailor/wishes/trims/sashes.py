@@ -12,7 +12,17 @@ BIBBED = frozenset({"dungarees", "pinafore"})
 """Drafts whose straps have buckles."""
 _SASH = re.compile(r"\b(?:ribbon |satin |wide |contrast |contrasting )?sash\b(?! belt)", re.IGNORECASE)
 _OPEN = frozenset(
-    {"robe", "coat", "hooded-coat", "wrap-dress", "kaftan", "shift-dress", "cardigan", "blazer"}
+    {
+        "robe",
+        "coat",
+        "hooded-coat",
+        "wrap-dress",
+        "wrap-jumpsuit",
+        "kaftan",
+        "shift-dress",
+        "cardigan",
+        "blazer",
+    }
 )
 """Drafts that a sash holds together in front, or whose waist it makes."""
 

@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING
 from swifttailor.describing.claims import Claim
 from swifttailor.describing.differences import Gain
 from swifttailor.pattern.trims.names import LIKE_EACH_OTHER
+from swifttailor.wishes.drafts.bygone_legs import PLEATED, is_bygone
+from swifttailor.wishes.drafts.elastic_waists import denied_lacks
 from swifttailor.wishes.trims.big_buttons import BIG, asks_for_big_buttons
 from swifttailor.wishes.trims.loops_and_stitches import loops_and_stitches
 from swifttailor.wishes.trims.sashes import BIBBED, first_of_kind
@@ -32,7 +34,7 @@ _JACKETS = frozenset(
     }
 )
 """Drafts that are buttoned without a band."""
-_WRAPS = frozenset({"wrap-dress", "wrap-top", "robe"})
+_WRAPS = frozenset({"wrap-dress", "wrap-jumpsuit", "wrap-top", "robe"})
 _HOODED = frozenset({"hoodie", "hooded-coat"})
 _RIBS, _RIBBED = "rib_bands", frozenset({"t-shirt", "tank-top", "sweatshirt"})
 _SECOND = (("side_stripes", "side_stripes", "side stripes"), ("edging", "braid", "edging"))
@@ -59,6 +61,8 @@ _BOAT = Claim("neckline", "boat")
 _OPEN_KNIT, _HEM_BAND = "cardigan", Gain(Claim("waistband", "hem"))
 """The draft whose fronts no band joins at the hem: it is put on as a trim."""
 _LOWER = ("trousers", "shorts")
+_BYGONE = (("pleats", "front pleats"), ("creases", "creases"))
+"""What trousers of the time between the wars have in front."""
 _FOR_JACKETS, _TAILORED = frozenset({"cardigan", "turtleneck"}), "blazer"
 """Drafts that jackets without a collar and with one that stands are cut from, and the one with lapels."""
 _BANDED, _DOWN_THE_FRONT, _OF_A_POLO = ("shirt", "shirt-dress"), ("buttons",), ("polo placket",)
@@ -168,6 +172,9 @@ def trims_wanted(heard: Heard, draft: str = "", kind: str = "", *, anew: bool = 
     if draft in _FOR_JACKETS and not any(wish.what == "buttons" for wish in found) and _is_a_jacket(heard):
         pocketed = () if any(wish.what == "pockets" for wish in found) else (("buttons", "welt pockets"),)
         found.append(TrimWish("buttons", False, (*pocketed, ("buttons",))))
+    if anew and draft in PLEATED and kind == "trousers" and is_bygone(heard.text):
+        refused = {*denied_lacks(heard), *[wish.what for wish in found]}
+        found += [TrimWish(what, False, ((name,),)) for what, name in _BYGONE if what not in refused]
     own = (*named, *_of_garment(heard))
     taken = {wish.what for wish in found}
     for what, names in loops_and_stitches(kind, draft, cloth=heard.cloth, own=own) if anew else ():

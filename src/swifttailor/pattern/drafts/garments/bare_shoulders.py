@@ -94,9 +94,9 @@ class HalterJumpsuitOptions:
     neckline: declared.NeckShapeOption = "v"
     neck_depth: declared.NeckDepth = 16.0
     strap_width: HalterStrap = 3.5
-    length: declared.TrouserLength = 100.0
-    leg_ease: declared.LegEase = 12.0
-    flare: declared.LegFlare = 4.0
+    length: declared.TrouserLength = 102.0
+    leg_ease: declared.LegEase = 22.0
+    flare: declared.LegFlare = -8.0
     stretch: declared.ClothStretch = 0.0
 
 
@@ -108,6 +108,8 @@ def draft_halter_jumpsuit(options: HalterJumpsuitOptions, measurements: Measurem
     halter = HalterBodice(options.chest_ease, 0.0, options.strap_width, neckline, 0.0, options.waist_ease)
     waist = lay_halter_bodice(table, figure, halter)
     assert waist is not None
+    # Legs are heavy, and the strap holds the front alone: without a hold the back slides down.
+    table.label("left_btorso.top", "strapless_top")
     legs = legs_of_bodice(options.length, options.hip_ease, options.leg_ease, options.flare, _CROTCH_DROP)
     lay_trousers(table, figure, legs, waist, figure.waist_y)
     return _sewn_halter(table, "trousers")

@@ -302,9 +302,9 @@ class JumpsuitOptions(SleevedBodiceOptions):
     neck_depth: declared.PlungingNeckDepth = 15.0
     armhole_drop: declared.ArmholeDrop = 2.5
     hip_ease: declared.HipEase = 6.0
-    length: declared.TrouserLength = 100.0
-    leg_ease: declared.LegEase = 12.0
-    flare: declared.LegFlare = 4.0
+    length: declared.TrouserLength = 102.0
+    leg_ease: declared.LegEase = 22.0
+    flare: declared.LegFlare = -8.0
     crotch_drop: Annotated[
         float, Option("Crotch below the body's; the room to sit down in.", "cm", 1.5, 8.0)
     ] = 3.0

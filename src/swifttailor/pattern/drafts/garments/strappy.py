@@ -247,9 +247,9 @@ class HeldJumpsuitOptions:
 
     waist_ease: HeldWaistEase = 0.0
     hip_ease: declared.HipEase = 6.0
-    length: declared.TrouserLength = 101.0
-    leg_ease: declared.LegEase = 14.0
-    flare: declared.LegFlare = 4.0
+    length: declared.TrouserLength = 102.0
+    leg_ease: declared.LegEase = 22.0
+    flare: declared.LegFlare = -8.0
     crotch_drop: Annotated[float, Option("Crotch below the body's.", "cm", 1.5, 8.0)] = 3.0
     leg_cuff: declared.GatheringLegCuff = 0.0
     stretch: declared.ClothStretch = 0.0

@@ -15,6 +15,7 @@ from swifttailor.pattern.drafts.options import Option
 from swifttailor.pattern.drafts.trousers import (
     CLOSE_REACH,
     FLARED_SIDE_SHARE,
+    NARROW_CM,
     NARROWEST,
     NARROWING_CM,
     SIDE_SHARE,
@@ -38,10 +39,6 @@ StretchBandHeight = Annotated[
 CrotchDrop = Annotated[float, Option("Crotch of the trousers below the body's.", "cm", 0.0, 5.0)]
 
 
-_NARROW_CM = 7.0
-"""Legs with less room at the hem narrow at the side seams, too: a calf catches them as they fall."""
-
-
 @dataclass(frozen=True)
 class TrousersOptions:
     """Options of the trousers."""
@@ -61,7 +58,7 @@ class TrousersOptions:
 def draft_trousers(options: TrousersOptions, measurements: Measurements) -> Pattern:
     """Drafts the trousers for a body."""
     legs = Trousers(options.length, options.hip_ease, options.leg_ease, options.flare, options.crotch_drop)
-    if options.flare <= NARROWING_CM or options.leg_ease + options.flare < _NARROW_CM:
+    if options.flare <= NARROWING_CM or options.leg_ease + options.flare < NARROW_CM:
         legs = replace(legs, side_share=SIDE_SHARE)
     return _on_band("trousers", legs, options, options.waist_ease, measurements)
 
