@@ -27,6 +27,7 @@ from swifttailor.pattern_maker.panel_foresight import PanelForesight
 from swifttailor.picture_reader.reading import PartReading
 from swifttailor.picture_reader.seen_color import SeenColor
 from swifttailor.recutting.alter import Alteration, alter
+from swifttailor.recutting.clearer import clearer
 from swifttailor.recutting.nearer import towards
 from swifttailor.recutting.one_sided import asks_for_one_side
 from swifttailor.recutting.to_the_figure import to_the_figures
@@ -232,6 +233,10 @@ class Wanted:
             return None
         changes = [wish.change for wish in self.wishes]
         kept = self.heard.kept
+        if seen := clearer(changes, self.original):
+            recut = altered(self.order.edit, seen, self.original, keep_others=True, kept=kept)
+            if recut is not None and recut.cuts:
+                return replace(recut, done=tuple(changes), open=())
         recut = self._at_the_hem(changes)
         if recut is None or recut.open:
             recut = altered(self.order.edit, changes, self.original, keep_others=True, kept=kept)

@@ -53,7 +53,7 @@ _BARED = re.compile(
     r" (?:off|out|away|bare|free|open)(?!\w)"
 )
 _COVERED = re.compile(
-    r"(?<!\w)(?:cover\w*|second|both|other|two|add|adding|needs?|want|with|put|sew|give)(?!\w)"
+    r"(?<!\w)(?:cover\w*|second|both|other|two|add|adding|needs?|want|with|put|sew|give|had|has|have)(?!\w)"
     r"[^.,;]{0,30}(?<!\w)(?:shoulders?|straps?|träger|bretelles?|tirantes)(?!\w)"
 )
 _BARE = tuple(Claim("shoulders", value) for value in ("bare left", "bare right", "strapless"))
