@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from swifttailor.wishes.instructions.not_misspelt import with_plain_verbs
 from swifttailor.wishes.instructions.pointing_back import with_what_is_meant
 from swifttailor.wishes.instructions.to_for_too import with_too
 
@@ -44,3 +45,16 @@ def test_what_is_pointed_at_is_named(text, meant):
 )
 def test_to_is_too_where_something_is_complained_of(text, so, meant):
     assert with_too(text, lambda c: f"{c.name}={c.value}" in so) == meant
+
+
+@pytest.mark.parametrize(
+    ("text", "meant"),
+    [
+        ("strip the cuffs", "remove the cuffs"),
+        ("Strip off those ruffles", "remove those ruffles"),
+        ("a strip of lace", "a strip of lace"),
+        ("strips at the hem", "strips at the hem"),
+    ],
+)
+def test_stripping_puts_no_stripes_on(text, meant):
+    assert with_plain_verbs(text) == meant

@@ -37,6 +37,7 @@ from swifttailor.wishes.instructions.left_unread import (
     of_its_kind,
     other_garments,
 )
+from swifttailor.wishes.instructions.not_misspelt import with_plain_verbs
 from swifttailor.wishes.instructions.one_meaning import in_one_meaning, still_in
 from swifttailor.wishes.instructions.pointing_back import with_what_is_meant
 from swifttailor.wishes.instructions.read_by_network import (
@@ -130,7 +131,7 @@ def hear_instruction(text: str, reader: WishReader, facts: GarmentFacts | None =
         reader: The network.
         facts: Of the garment; None where it cannot be measured.
     """
-    text = with_too(text, lambda claim: facts is not None and claim.holds(facts))
+    text = with_too(with_plain_verbs(text), lambda claim: facts is not None and claim.holds(facts))
     text = glossed_change(with_what_is_meant(without_taken_back(text)))
     shown, words = text_as_read(text, None if facts is None else named_kind(facts))
     rest = without_looks(shown, words, facts)
