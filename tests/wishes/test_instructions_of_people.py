@@ -75,6 +75,13 @@ def reader() -> WishReader:
         ("Just hem it. Three centimetres.", "dress", (), {Step("length", -1, 3.0)}),
         ("reduce hood size", "top", (), {Step("hood depth", -1)}),
         ("make the neckline more covered", "dress", (), {Step("neck depth", -1)}),
+        ("the same without sleeve", "dress", (), {gain("sleeves", "none")}),
+        ("make the slit smaller", "skirt", ("slit=left",), {Step("left slit", -1)}),
+        ("the band at the waist is too wide", "skirt", (), {Step("waistband height", -1)}),
+        ("no bare arms", "dress", ("sleeves=none",), {gain("sleeves", "long")}),
+        ("fitted waist", "skirt", (), {Step("waistband width", -1, 3.0)}),
+        ("the hem is two inches off the floor", "dress", (), {Step("length", 1, 6.0)}),
+        ("cintura más baja", "trousers", ("rise=high",), {gain("rise", "mid")}),
         ("the sleeves must be huge", "top", (), {Step("sleeve width", 1)}),
     ],
 )

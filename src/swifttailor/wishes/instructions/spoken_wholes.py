@@ -67,7 +67,7 @@ _ONLY = re.compile(
     r"(?:\s+(?:of|from) (?:this|it|the \w+|that))?(?=\W*$|,|\s+(?:as|please|on its own)(?!\w))"
 )
 _SITS = re.compile(
-    r"(?<!\w)(?:sit|sits|sitting|rise|waist|waistline|sitzen|sitzt|leibhöhe|taille|vita|cós)(?!\w)"
+    r"(?<!\w)(?:sit|sits|sitting|rise|waist|waistline|sitzen|sitzt|leibhöhe|taille|vita|cós|cintura|talle|tiro)(?!\w)"
 )
 _WAIST_TO = r"(?<!\w)waist\w*[^.,;]*(?<!\w)"
 _HIP = re.compile(rf"{_WAIST_TO}(?:to|at|on|onto|around)\s+(?:the |my |her )?(?:low )?hips?(?!\w)")
