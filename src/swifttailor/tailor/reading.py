@@ -27,6 +27,7 @@ from swifttailor.pattern_maker.panel_foresight import PanelForesight
 from swifttailor.picture_reader.reading import PartReading
 from swifttailor.picture_reader.seen_color import SeenColor
 from swifttailor.recutting.alter import Alteration, alter
+from swifttailor.recutting.clearer import clearer
 from swifttailor.recutting.nearer import towards
 from swifttailor.recutting.one_sided import asks_for_one_side
 from swifttailor.recutting.to_the_figure import to_the_figures
@@ -141,12 +142,20 @@ class Wanted:
         kept = order.color or cloth_color(order.edit) if order.edit is not None else None
         of_set = order.is_of_two and (order.part != "beside" or (order.outfit and order.outfit.third_alike))
         shared = color_of_set(order.outfit) if of_set else None
-        return shared or self.heard.color or kept or self.heard.color_besides
+        return shared or self._asked_color or kept or self.heard.color_besides
+
+    @property
+    def _asked_color(self) -> str | None:
+        """The colour of its words; of a garment that is there, "pencil skirt" changes no colour."""
+        becomes = any(isinstance(w.change, Gain) and w.change.claim.name == "kind" for w in self.wishes)
+        if self.order.edit is not None and self.heard.only_implies_color and not becomes:
+            return None
+        return self.heard.color
 
     @property
     def print(self) -> ClothPrint | None:
         """The print asked for, or that of the garment that it is made from where no colour is asked for."""
-        kept = None if self.heard.color or self.heard.plain else self.order.print
+        kept = None if self._asked_color or self.heard.plain else self.order.print
         return self.heard.print or kept
 
     @property
@@ -232,6 +241,10 @@ class Wanted:
             return None
         changes = [wish.change for wish in self.wishes]
         kept = self.heard.kept
+        if seen := clearer(changes, self.original):
+            recut = altered(self.order.edit, seen, self.original, keep_others=True, kept=kept)
+            if recut is not None and recut.cuts:
+                return replace(recut, done=tuple(changes), open=())
         recut = self._at_the_hem(changes)
         if recut is None or recut.open:
             recut = altered(self.order.edit, changes, self.original, keep_others=True, kept=kept)

@@ -108,6 +108,14 @@ class Heard:
         dyed = words is not None and not _COLOR_OF_CLOTH.keys().isdisjoint(words.cloths)
         return words is not None and bool(words.colors or dyed or self.print is not None)
 
+    @property
+    def only_implies_color(self) -> bool:
+        """Whether its colour is that of a name alone: a pencil skirt is black, where nobody says so."""
+        words = self.words
+        if words is None or words.colors or words.cloths:
+            return False
+        return not (color_of_body(words.looks) or color_behind_name(words) or shade_alone(words))
+
     def refuses_color(self, color: str) -> bool:
         """Whether it denies a colour, ``#rrggbb``, or one that is called the same: "not red"."""
         return any(np.linalg.norm(lab_of_hex(color) - lab_of_hex(one)) < _NEAR for one in self._denied_colors)

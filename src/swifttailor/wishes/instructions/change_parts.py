@@ -59,7 +59,7 @@ _OF_BODICES = frozenset(
     {"sleeves", "neck", "back_neck", "back", "chest", "shoulders", "straps", "collar", "hood", "armholes"}
 )
 """Parts that skirts and trousers lack."""
-_WAIST_CM = 3.0
+WAIST_CM = 3.0
 """A waistband of skirt or trousers is too tight or too loose by so much, where nobody says by how much."""
 _WAIST_OF_BODICES_CM = 6.0
 """The same of a bodice, taken in from shoulder to hem: by more, shoulders would be seen to change."""
@@ -100,6 +100,14 @@ def part_of(claim: str) -> str | None:
     return next((part for part, names in _SUBJECTS.items() if claim in names.split()), None)
 
 
+def is_unsaid(change: Change) -> bool:
+    """Whether it is a step that no number is said of: by how much a waist is let out is only usual then."""
+    if not isinstance(change, Step):
+        return False
+    usual = {"waistband width": WAIST_CM, "chest": _WAIST_OF_BODICES_CM}.get(change.quantity)
+    return change.amount is None or change.amount == usual
+
+
 def changes_of(
     part: str | None, what: Property, sign: int, kind: str, amount: float | None
 ) -> tuple[Change, ...]:
@@ -130,7 +138,7 @@ def changes_of(
         return ()  # what is measured there is no lever of its own: better said than cut at the hem
     quantity, factor = found
     if part == "waist" and quantity == "waistband width" and amount is None:
-        amount = _WAIST_CM
+        amount = WAIST_CM
     if part == "waist" and quantity == "chest" and amount is None:
         amount = _WAIST_OF_BODICES_CM
     step = Step(quantity, sign * factor, amount)

@@ -9,6 +9,8 @@ from swifttailor.describing.claims import Claim, claims_of
 from swifttailor.describing.differences import Change, Gain, Step
 from swifttailor.describing.dimensions import QUANTITIES
 from swifttailor.describing.facts import GarmentFacts
+from swifttailor.recutting.clearer import is_clear
+from swifttailor.wishes.instructions.change_parts import WAIST_CM
 from swifttailor.wishes.instructions.spoken_amounts import share_of
 from swifttailor.wishes.instructions.spoken_changes import SpokenChanges
 from swifttailor.wording.claim_kinds import fits_kind
@@ -34,8 +36,9 @@ _ENDS = {
     "top_hem": "length",
     "leg_hem": "leg length",
     "sleeves": "sleeve length",
+    "fit": "chest",
 }
-"""Claims of where something ends, and how long it is."""
+"""Claims of where something ends or how wide it is, and its measure."""
 _LEGS_OF = {
     ("trousers", "shorts"): "mid-thigh",
     ("jumpsuit", "playsuit"): "mid-thigh",
@@ -45,6 +48,11 @@ _LEGS_OF = {
 """Where the legs of a garment end that is to become another one with legs."""
 _COUNTED = frozenset({"godets", "tiers"})
 """Where there are none, so many more are so many."""
+_EXTREMES = {
+    ("neck depth", -1): (Claim("neck_depth", "plunging"), 22.0),
+    ("back depth", -1): (Claim("back_depth", "open"), 23.0),
+}
+"""Steps that lead away from what is extreme, and the measure in cm from which on it no longer is."""
 _ELSE = {
     "top width": ("skirt hem", "chest"),
     "skirt hem": ("top width",),
@@ -59,12 +67,18 @@ def named_kind(facts: GarmentFacts) -> str:
     return next((str(c.value) for c in claims_of(facts, ["kind"])), facts.kind)
 
 
-def can_become(change: Change, facts: GarmentFacts) -> bool:
-    """Whether a garment is not so already, and has what is to grow or shrink."""
+def can_become(change: Change, facts: GarmentFacts, *, clearly: bool = False) -> bool:
+    """Whether a garment is not so already, and has what is to grow or shrink.
+
+    Args:
+        change: What is read.
+        facts: Of the garment.
+        clearly: Whether what is so by a little may become so clearly.
+    """
     if isinstance(change, Gain):
         name, kind = change.claim.name, named_kind(facts)
         fits = name == "sides" or (fits_kind(name, kind) and kind in _ONLY_OF.get(name, {kind}))
-        return fits and not change.holds(facts, facts)
+        return fits and not (is_clear(change, facts) if clearly else change.holds(facts, facts))
     return QUANTITIES[change.quantity].of(facts) is not None
 
 
@@ -86,6 +100,25 @@ def made_where_lacking(change: Change, facts: GarmentFacts) -> Change:
     made = _MADE.get(change.quantity)
     lacks = made is not None and QUANTITIES[change.quantity].of(facts) is None
     return Gain(made) if made is not None and lacks and fits_kind(made.name, named_kind(facts)) else change
+
+
+def in_usual_steps(change: Change, facts: GarmentFacts) -> Change:
+    """A step of no stated size as large as people mean it: waists by little, what is too low until it is not.
+
+    Args:
+        change: What is asked for.
+        facts: Of the garment.
+    """
+    if not isinstance(change, Step) or change.amount is not None:
+        return change
+    if change.quantity == "waistband width":
+        return replace(change, amount=WAIST_CM)
+    extreme = _EXTREMES.get((change.quantity, change.direction))
+    now = QUANTITIES[change.quantity].of(facts)
+    if extreme is None or now is None or not extreme[0].holds(facts):
+        return change
+    by = round(abs(now - extreme[1]), 1)
+    return replace(change, amount=by) if by > 2 * QUANTITIES[change.quantity].least else change
 
 
 def with_shares(text: str, spoken: SpokenChanges, facts: GarmentFacts) -> SpokenChanges:

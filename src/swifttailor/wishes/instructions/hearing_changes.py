@@ -9,21 +9,19 @@ from swifttailor.describing.claims import Claim
 from swifttailor.describing.differences import Change, Gain, Step, subject_of
 from swifttailor.describing.dimensions import QUANTITIES
 from swifttailor.describing.facts import GarmentFacts
+from swifttailor.recutting.clearer import is_clear
 from swifttailor.recutting.unasked import part_of
 from swifttailor.wishes.corrections.one_arm import other_arm_kept
 from swifttailor.wishes.corrections.one_slit import closed_alone
 from swifttailor.wishes.corrections.sureness import likely_wishes, sure_wishes
 from swifttailor.wishes.heard import Heard
-from swifttailor.wishes.instructions.change_parts import subjects_of
 from swifttailor.wishes.instructions.change_words import (
     begins_with_change,
-    find_adjectives,
-    find_changes,
-    find_parts,
 )
 from swifttailor.wishes.instructions.changes_of_garment import (
     can_become,
     in_step_with_hems,
+    in_usual_steps,
     made_where_lacking,
     named_kind,
     with_share,
@@ -39,8 +37,24 @@ from swifttailor.wishes.instructions.left_unread import (
     of_its_kind,
     other_garments,
 )
+from swifttailor.wishes.instructions.not_misspelt import with_plain_verbs
 from swifttailor.wishes.instructions.one_meaning import in_one_meaning, still_in
-from swifttailor.wishes.instructions.refusals import compared_away, is_moved_away, refused, without_gathers
+from swifttailor.wishes.instructions.pointing_back import with_what_is_meant
+from swifttailor.wishes.instructions.read_by_network import (
+    by_network,
+    is_chatter,
+    is_named,
+    is_read_otherwise,
+    is_strange,
+    still_unread,
+)
+from swifttailor.wishes.instructions.refusals import (
+    compared_away,
+    is_denied,
+    is_moved_away,
+    refused,
+    without_gathers,
+)
 from swifttailor.wishes.instructions.said_plainly import (
     clear_changes,
     compared_plainly,
@@ -51,18 +65,27 @@ from swifttailor.wishes.instructions.said_plainly import (
 from swifttailor.wishes.instructions.sayings import plainly
 from swifttailor.wishes.instructions.spoken_amounts import by_a_bit
 from swifttailor.wishes.instructions.spoken_changes import SpokenChanges, spoken_changes
-from swifttailor.wishes.instructions.spoken_clauses import SpokenClause, other_than
-from swifttailor.wishes.instructions.spoken_of import OF_LEGS, ONE_LEG, is_of_places, parts_spoken_of
+from swifttailor.wishes.instructions.spoken_clauses import other_than
+from swifttailor.wishes.instructions.spoken_of import (
+    HEM_CLAIMS,
+    OF_LEGS,
+    ONE_LEG,
+    is_of_places,
+    parts_spoken_of,
+)
+from swifttailor.wishes.instructions.spoken_targets import away
 from swifttailor.wishes.instructions.stated_figures import (
     by_the_number,
     is_counted,
     is_stated,
+    of_one_arm,
     to_the_number,
     to_the_word,
     without_steps_to,
     without_vague_depth,
 )
 from swifttailor.wishes.instructions.taken_back import without_taken_back
+from swifttailor.wishes.instructions.to_for_too import with_too
 from swifttailor.wishes.instructions.whole_instruction import (
     MEANT,
     go_together,
@@ -72,13 +95,14 @@ from swifttailor.wishes.instructions.whole_instruction import (
     with_the_whole,
     without_guesses,
 )
-from swifttailor.wishes.instructions.whole_of_kind import of_kind
+from swifttailor.wishes.instructions.whole_of_kind import of_kind, with_hems_of_kind
 from swifttailor.wishes.instructions.whole_sentences import is_letter, whole_of
 from swifttailor.wishes.instructions.without_looks import without_looks
 from swifttailor.wishes.reader import Wish, WishReader
+from swifttailor.wishes.text.mentions import find_mentions
 from swifttailor.wishes.text.spoken_measures import is_of_another, spoken_measures
 from swifttailor.wishes.text.text_as_read import ENGLISH, lacks_of, text_as_read
-from swifttailor.wishes.text.unread import not_understood, says_nothing_else, unread_numbers
+from swifttailor.wishes.text.unread import says_nothing_else, unread_numbers
 from swifttailor.wishes.trims.trims_spoken_of import speaks_of_trims_alone
 from swifttailor.wording.claim_kinds import fits_kind
 from swifttailor.wording.lexicon import SURENESS, WordMark, WordReading, exclude, glossed_change, read_words
@@ -107,7 +131,8 @@ def hear_instruction(text: str, reader: WishReader, facts: GarmentFacts | None =
         reader: The network.
         facts: Of the garment; None where it cannot be measured.
     """
-    text = glossed_change(without_taken_back(text))
+    text = with_too(with_plain_verbs(text), lambda claim: facts is not None and claim.holds(facts))
+    text = glossed_change(with_what_is_meant(without_taken_back(text)))
     shown, words = text_as_read(text, None if facts is None else named_kind(facts))
     rest = without_looks(shown, words, facts)
     if rest == shown:
@@ -148,7 +173,7 @@ def _heard_changes(text: str, reader: WishReader, facts: GarmentFacts | None) ->
         put_plainly = [c for c in clear_changes(spoken) if c not in before]
     if facts is not None:
         spoken = with_shares(text, spoken, facts)
-    told = undisputed(spoken.changes, spoken.disputed, len(own.split()))
+    told = with_hems_of_kind(undisputed(spoken.changes, spoken.disputed, len(own.split())))
     stated = {}
     measures = spoken_measures(text, kind)
     for measure in measures:
@@ -159,17 +184,23 @@ def _heard_changes(text: str, reader: WishReader, facts: GarmentFacts | None) ->
             and clause is not None
             and not stepped
             and not text[: measure.mention.start].rstrip().lower().endswith(" by")
-            and not _is_strange(clause, words)
+            and not is_strange(clause, words)
             and not any(is_of_another(measure, change) for change in clause.changes)
         ):
             stated[clause.start] = measure
             told.append(Gain(measure.claim))
     told = without_steps_to(told if facts is None else by_the_number(told, facts))
     figures = [change for change in told if isinstance(change, Gain)]
+    by_numbers = (
+        [] if facts is None else to_the_number([Gain(m.claim) for m in stated.values() if m.claim], facts)
+    )
     told = told if facts is None else to_the_number(told, facts)
     told = without_vague_depth(told if facts is None else [made_where_lacking(c, facts) for c in told])
     if facts is not None and _HIGH_SLIT in told and _NO_SLIT.holds(facts):
         told += [] if any(subject_of(change) == "slit" for change in told) else [_SIDE_SLIT]
+    lengths = [m.value for m in find_mentions(text) if m.is_length]
+    far = [] if facts is None else of_one_arm(told, lengths, facts)
+    told = [change for change in told if change not in far]
     told += [] if facts is None else other_arm_kept(told, facts)
     covered = facts is not None and QUANTITIES["armholes"].of(facts) is None
     hidden = [c for c in told if covered and isinstance(c, Step) and c.quantity == "armholes"]
@@ -178,15 +209,18 @@ def _heard_changes(text: str, reader: WishReader, facts: GarmentFacts | None) ->
     said = tuple(told)
     likely: list[Wish] = []
     unread: list[str] = ["armholes (below sleeves they cannot be changed)"] if hidden else []
+    unread += (
+        ["one sleeve by so many cm (it is cut to an elbow, three-quarter or other length)"] if far else []
+    )
     for clause in spoken.clauses:
         if not clause.left_over or clause.start in stated:
             continue
-        if told and _is_chatter(text, clause, words):
+        if told and is_chatter(text, clause, words):
             unread += clause.left_over
             continue
-        found = _by_network(text, clause, reader, words, len(spoken.clauses) == 1)
+        found = by_network(text, clause, reader, words, len(spoken.clauses) == 1)
         part = text[clause.start : clause.end]
-        new = [w for w in found if _adds(w.change, told, spoken, words) and _is_named(w.change, part)]
+        new = [w for w in found if _adds(w.change, told, spoken, words) and is_named(w.change, part)]
         new = [w for w in new if subject_of(w.change) not in spoken.disputed]
         if facts is not None:
             new = [w for w in new if isinstance(w.change, Step) or fits_kind(w.change.claim.name, kind or "")]
@@ -199,7 +233,7 @@ def _heard_changes(text: str, reader: WishReader, facts: GarmentFacts | None) ->
         sure += certain
         told += [w.change for w in certain]
         likely += [w for w in likely_wishes(tuple(new)) if w not in certain]
-        unread += _still_unread(part, clause, certain, reader)
+        unread += still_unread(part, clause, certain, reader)
     never = refused(words)
     held = (
         [] if facts is None else [c for c in never if c.holds(facts) and c not in compared_away(text, words)]
@@ -227,6 +261,9 @@ def _heard_changes(text: str, reader: WishReader, facts: GarmentFacts | None) ->
         firm += [
             Gain(i.claim) for i in words.implications if i.said and i.mark.word.lower().endswith("length")
         ]
+        firm += [*by_numbers, *[c for c in details if c in said and subject_of(c) == "slit_size"]]
+        firm += [gain for gain in others if not is_read_otherwise(gain, whole)]
+        firm += [c for c in clear if c in details and is_read_otherwise(c, whole)]
         names = [Gain(i.claim) for i in words.implications if not i.said and i.claim.name != "kind"]
 
         def is_said(change: Change) -> bool:
@@ -241,25 +278,35 @@ def _heard_changes(text: str, reader: WishReader, facts: GarmentFacts | None) ->
         sure = [wish for wish in sure if not spoken_of.is_none_of(wish.change)]
         sure, alone = without_guesses(sure, whole, is_said)
         arms = any(subject_of(change) in _ARMS for change in firm)
-        if any(p >= MEANT for c, p in whole.items() if isinstance(c, Gain) and c.claim.name == "kind"):
+        kinds = any(p >= MEANT for c, p in whole.items() if isinstance(c, Gain) and c.claim.name == "kind")
+        if kinds or away(text.lower()):
             firm += [c for c in told if isinstance(c, Gain) and c.claim.name == "kind"]  # it knows no halves
 
         def accepts(change: Change, told: Sequence[Change]) -> bool:
             if arms and subject_of(change) in {"sleeves", *_ARMS}:
                 return False
+            if spoken_of.of_slits_alone and subject_of(change) in HEM_CLAIMS:
+                return False  # a slit to the knee ends there, and no hem
             return (
                 _adds(change, told, spoken, words)
+                and not is_denied(change, never)
                 and not is_disputed(change, spoken.disputed, whole, len(own.split()))
-                and (facts is None or can_become(change, facts))
+                and (facts is None or can_become(change, facts, clearly=spoken_of.speaks_of(change)))
             )
 
+        before = [wish.change for wish in sure]
         sure, read = with_the_whole(
             sure,
             whole,
             left_over=bool(unread),
             accepts=accepts,
             holds=lambda change: (
-                facts is not None and isinstance(change, Gain) and change.holds(facts, facts)
+                facts is not None
+                and isinstance(change, Gain)
+                and (
+                    change.holds(facts, facts)
+                    and not (spoken_of.speaks_of(change) and not is_clear(change, facts))
+                )
             ),
             firm=firm,
             clear=clear if is_letter(own) else (),
@@ -271,7 +318,9 @@ def _heard_changes(text: str, reader: WishReader, facts: GarmentFacts | None) ->
         unsure, perhaps = uncertain(sure, read, whole, accepts, firm)
         parts = {part_of(subject_of(wish.change)) for wish in sure}
         guessed = [w for w in (*guessed, *alone) if part_of(subject_of(w.change)) not in parts]
-        perhaps = tuple(dict.fromkeys([*perhaps, *[wish.change for wish in guessed]]))
+        # What is said in so many words and let go all the same is told.
+        let_go = [c for c in before if c in clear and c in details and part_of(subject_of(c)) not in parts]
+        perhaps = tuple(dict.fromkeys([*perhaps, *[wish.change for wish in guessed], *let_go]))
     sure = sure if facts is None else closed_alone(sure, never, facts)
     slight = {
         change: by_a_bit(text[c.start : c.end].lower(), change)
@@ -281,7 +330,7 @@ def _heard_changes(text: str, reader: WishReader, facts: GarmentFacts | None) ->
     asked = [slight.get(wish.change, wish.change) for wish in sure]
     asked = in_step_with_hems(asked, lambda change: says_how_much(own, change))
     if facts is not None:
-        asked = [with_share(own, change, facts) for change in asked]
+        asked = [in_usual_steps(with_share(own, change, facts), facts) for change in asked]
     sure = [replace(wish, change=change) for wish, change in zip(sure, asked, strict=True)]
     if facts is not None:
         legs = without_gathers([w.change for w in sure], held, facts)
@@ -298,6 +347,8 @@ def _heard_changes(text: str, reader: WishReader, facts: GarmentFacts | None) ->
             for some in (unsure, perhaps)
         )
         unread.append(f"{one_leg[0]} (both legs are cut alike)")
+    if far:  # nor are both cut instead
+        sure = [w for w in sure if part_of(subject_of(w.change)) != "sleeves"]
     sure, unfit = of_its_kind(sure, kind)
     unread += unfit
     changes = [wish.change for wish in sure]
@@ -324,27 +375,6 @@ def _heard_changes(text: str, reader: WishReader, facts: GarmentFacts | None) ->
     )
 
 
-def _is_chatter(text: str, clause: SpokenClause, words: WordReading) -> bool:
-    """Whether a clause speaks of nothing that garments have: what the network reads in it is chance."""
-    part = text[clause.start : clause.end].lower()
-    if any(lack.said and clause.start <= lack.mark.start < clause.end for lack in words.lacks):
-        return not any(p.part != "all" for p in find_parts(part))  # how its pockets are to be
-    if find_changes(part) or find_adjectives(part) or any(p.part != "all" for p in find_parts(part)):
-        return False
-    return not any(
-        clause.start <= mark.start < clause.end and any(e.implied or e.part for e in mark.entries)
-        for mark in words.marks
-    )
-
-
-def _by_network(
-    text: str, clause: SpokenClause, reader: WishReader, words: WordReading, alone: bool
-) -> tuple[Wish, ...]:
-    if words.language != ENGLISH or speaks_of_trims_alone(words):
-        return ()
-    return reader.read(text if alone else text[clause.start : clause.end], instruction=True)
-
-
 def _adds(change: Change, told: Sequence[Change], spoken: SpokenChanges, words: WordReading) -> bool:
     """Whether something that the network reads is new, and contradicts nothing that is said."""
     subject = subject_of(change)
@@ -366,29 +396,3 @@ def _adds(change: Change, told: Sequence[Change], spoken: SpokenChanges, words: 
 def _is_strap(mark: WordMark) -> bool:
     """Whether straps are asked for, and not to go."""
     return mark.word.lower() in ("strap", "straps") and not mark.denied
-
-
-def _is_named(change: Change, part: str) -> bool:
-    """Whether a clause speaks of what a change is about, or names no part at all."""
-    named = {found.part for found in find_parts(part.lower())} - {"all"}
-    return not named or any(subject_of(change) in subjects_of(each) for each in named)
-
-
-def _still_unread(
-    part: str, clause: SpokenClause, wishes: Sequence[Wish], reader: WishReader
-) -> tuple[str, ...]:
-    """Of the words that nothing accounts for, those that the network made nothing of either."""
-    if not wishes:
-        return clause.left_over
-    changes = [wish.change for wish in wishes]
-
-    def read(other: str) -> list[Change]:
-        return [w.change for w in sure_wishes(reader.read(other, instruction=True))]
-
-    missed = " ".join(not_understood(part, changes, read)).lower().split()
-    return tuple([words for words in clause.left_over if set(words.split()) & set(missed)])
-
-
-def _is_strange(clause: SpokenClause, words: WordReading) -> bool:
-    """Whether words that nobody knows stand in it: its number may be of these ("20 cm glorpier")."""
-    return any(clause.start <= mark.start < clause.end for mark in words.marks if not mark.entries)

@@ -15,6 +15,8 @@ _DISLIKED = re.compile(
     r"(?<!\w)(?:hate|dislike|(?:don['’]?t|do not) (?:like|love)|can['’]?t stand)(?!\w)[^.,;!?]*"
 )
 """What is disliked for being too wide is not to go: "I hate that the hood is so big"."""
+_USUAL = frozenset({"collar", "cuffs", "hood"})
+"""Parts that a name usually has and that go with it: a "high neck" is mostly a stand collar."""
 _GATHERED = Claim("skirt", "gathered")
 _ALL_OF_THEM = 1.25
 _SMOOTH = frozenset({"straight", "pencil", "narrowing", "a-line"})
@@ -31,7 +33,22 @@ def refused(words: WordReading) -> tuple[Claim, ...]:
         if entry.category != "garments"
         for claim in entry.claims("certain")[1:]
     }
-    return tuple([claim for claim in words.never if claim not in beside])
+    usual = [
+        claim
+        for mark in words.marks
+        if mark.denied
+        for entry in mark.entries[:1]
+        if entry.category != "garments"
+        for claim in entry.claims("usual")[:1]
+        if claim.name in _USUAL
+    ]
+    return tuple(dict.fromkeys([*[claim for claim in words.never if claim not in beside], *usual]))
+
+
+def is_denied(change: Change, never: Collection[Claim]) -> bool:
+    """Whether it is what is refused in another word for it: a high neckline of "no high neck"."""
+    high = Claim("collar", "stand") in never or Claim("collar", "turtleneck") in never
+    return high and change in (Gain(Claim("neck_depth", "high")), Step("neck depth", -1))
 
 
 def compared_away(text: str, words: WordReading) -> frozenset[Claim]:

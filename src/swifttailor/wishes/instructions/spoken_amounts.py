@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from swifttailor.describing.claims import Claim
 from swifttailor.describing.differences import Change, Gain, Step
 from swifttailor.describing.dimensions import QUANTITIES
+from swifttailor.wishes.instructions.change_parts import is_unsaid
 from swifttailor.wishes.instructions.spoken_clauses import SpokenClause
 from swifttailor.wishes.text.mentions import Mention
 
@@ -201,7 +202,7 @@ def share_of(said: str) -> float | None:
 def joined_amount(clause: SpokenClause, length: float) -> SpokenClause:
     """A clause whose steps are by a length that stands behind it: "a bit shorter, like 4 cm"."""
     steps = [
-        Step(c.quantity, c.direction, length) if isinstance(c, Step) and c.amount is None else c
+        Step(c.quantity, c.direction, length) if isinstance(c, Step) and is_unsaid(c) else c
         for c in clause.changes
     ]
     return SpokenClause(clause.start, clause.end, tuple(steps), clause.left_over)

@@ -12,20 +12,26 @@ from dataclasses import dataclass, replace
 
 from swifttailor.describing.claims import Claim
 from swifttailor.describing.differences import Change, Gain, Step, subject_of
-from swifttailor.wishes.instructions.change_parts import changes_of, part_of, subjects_of
+from swifttailor.wishes.instructions.change_parts import changes_of, is_unsaid, part_of, subjects_of
 from swifttailor.wishes.instructions.change_words import (
     ChangeWord,
-    PartWord,
     find_changes,
     find_parts,
     kept_words,
 )
+from swifttailor.wishes.instructions.joined_clauses import (
+    JOINED,
+    is_amount_of,
+    is_so_again,
+    is_told_by_how_much,
+    joined_together,
+    said_again,
+    with_amount,
+)
 from swifttailor.wishes.instructions.one_meaning import still_in
 from swifttailor.wishes.instructions.spoken_amounts import (
     by_little,
-    is_target,
     joined_amount,
-    to_target,
 )
 from swifttailor.wishes.instructions.spoken_clause_words import (
     is_of_lack,
@@ -45,15 +51,19 @@ from swifttailor.wishes.instructions.spoken_targets import (
     meant,
 )
 from swifttailor.wishes.instructions.spoken_wholes import of_wholes
-from swifttailor.wishes.text.mentions import Mention, find_mentions
+from swifttailor.wishes.text.mentions import find_mentions
 from swifttailor.wishes.text.spoken_sides import blanked, spoken_sides, without_spans
 from swifttailor.wording.claim_kinds import fits_kind
 from swifttailor.wording.lexicon import Implication, WordReading, read_words
 from swifttailor.wording.lexicon.inflection import Language
 
 _THEM = re.compile(r"(?<!\w)(?:them|they|they're|these|those|sie|les|las|los)(?!\w)")
-_UNDENIED = re.compile(r"(?:in|out|so|too|as|that|overly)(?!\w)")
-"""Words of change that are no less so for a "not": what is "not so tight" is to be wider."""
+_UNDENIED = re.compile(
+    r"(?:(?:in|out|so|too|as|that|overly)(?!\w)"
+    r"|(?:dig|pinch|cut|flap|drag|trip|gap|sag|bag|squeez|squash|constrict|ride|bit|fall|show|hang)\w*(?!\w))"
+)
+"""Words of change that are no less so for a "not": what is "not so tight" is to be wider, and what is not to
+flap about narrower."""
 _DENIED = re.compile(
     r"(?<!\w)(?:don['’]?t|do not|not|never|without|nicht|pas|non|niet|não)"
     r"(?:\s+\w+){0,2}\s+(?:(?:any|much|even) )?$"
@@ -71,17 +81,17 @@ _ALL_STAYS = re.compile(
     r"|alles (?:bleibt|so lassen)|tout garder)(?!\w)"
 )
 """What is excepted from it is to change: "everything stays apart from the skirt"."""
-_JOINED = re.compile(r"(?<!\w)(?:and|but|und|aber|et|mais|y|pero|e|ed|en|maar|ma|però|mas)\s+$")
-"""Before a clause that goes on about what the one before it spoke of: "shorter sleeves and a bit wider"."""
+_BY_ITS_OWN = re.compile(
+    r"(?<=, )(?:the |my |her |his |both )?\w+ by (?=\S*\d|an? |one |two |three |four |five )"
+)
+"""A part with its own number behind another: "lengthen the body by 4 cm, the sleeves by 5 cm"."""
 _OWN = re.compile(r"(?<!\w)(?:take|off|remove|lose|add|minus|cut|without|no|give|put|an?)(?!\w)")
 """What a clause itself asks for, which does not go on then: "longer sleeves, and 5 cm off the hem"."""
 _GOING_ON = frozenset({"sleeves", "legs"})
 """Parts that a clause without one goes on about, even where they were not compared with what they were."""
 _ONES = frozenset({"skirt", "collar", "hood", "band"})
 """Parts that "it" can mean where they were changed just before: "lengthen the skirt and taper it"."""
-_OF_LENGTH = re.compile(
-    r"(?<!\w)(?:long\w*|short\w*|length\w*|hem\w*|up|down|wider|narrower|looser|tighter|bigger|smaller|deeper|higher|lower)(?!\w)"
-)
+_PRONOUNS = frozenset({"it", "them", "es"})
 _OF_SCENES = frozenset({"shoulders", "sleeves", "neck", "collar"})
 
 
@@ -175,7 +185,7 @@ def spoken_changes(
             found.append(SpokenClause(start, end, scene.changes, ()))
             last = next(p.part for p in inside if p.part in _OF_SCENES)
             continue
-        joined = bool(_JOINED.search(small, 0, start))
+        joined = bool(JOINED.search(small, 0, start)) or _BY_ITS_OWN.search(small, start, end) is not None
         if (
             joined
             and grown
@@ -184,9 +194,10 @@ def spoken_changes(
             and is_of_parts(small, (start, end), inside)
         ):
             length = next((m.value for m in mentions if start <= m.start < end and m.is_length), None)
+            own = length if found and not any(map(is_unsaid, found[-1].changes)) else None
             if length is not None and found:
                 found[-1] = joined_amount(found[-1], length)
-            more = _said_again(inside, grown, found, kind)
+            more = said_again(inside, grown, found, kind, own)
             if more:
                 found.append(SpokenClause(start, end, more, ()))
                 continue
@@ -195,6 +206,9 @@ def spoken_changes(
         # "Elbow sleeves and 10 cm longer": their length is said already, so the garment is meant.
         goes_on = goes_on and (compared or excepted or all(c.what == "width" for c in grown))
         excepted = False
+        if last == "slit" and Gain(Claim("slit", "none")) in [c for f in found for c in f.changes]:
+            # "No slit, and a bit longer" makes the garment longer.
+            last = None if all(c.what == "length" for c in grown) else last
         if goes_on and last in _ONES and inside and all(p.word == "it" for p in inside):
             inside = []
         clause = read_clause(
@@ -210,8 +224,13 @@ def spoken_changes(
         )
         clause = _read_alone(text, clause, kind, still_in(words.language))
         by = next((m for m in mentions if start <= m.start < end and m.is_length), None)
-        if by is not None and not inside and found and _is_amount_of(small[start:end], clause, found[-1]):
-            found[-1] = _with_amount(small, found[-1], by)
+        of_it = bool(inside) and all(p.word in _PRONOUNS for p in inside)
+        if of_it and found and grown and is_so_again(grown, clause, found[-1]):
+            # "The waist pinches, let it out": the waist, and no hem besides.
+            found[-1] = found[-1] if by is None else with_amount(small, found[-1], by)
+            clause = replace(clause, changes=(), left_over=())
+        if by is not None and not inside and found and is_amount_of(small[start:end], clause, found[-1]):
+            found[-1] = with_amount(small, found[-1], by)
             clause = replace(clause, changes=(), left_over=())
         if denied and not clause.changes:
             clause = replace(clause, left_over=())
@@ -230,9 +249,9 @@ def spoken_changes(
         at, scene = vague  # where nothing else is asked for: "for a summer wedding" asks for no other hem
         found[at] = replace(found[at], changes=scene.changes, left_over=())
         taken.append((text[scene.start : scene.end], scene.changes))
-    found = _joined(small, found, mentions, parts, kind)
+    found = joined_together(small, found, mentions, parts, kind)
     found = without_what_is_so([at_the_neck(small, c, is_so) for c in found], is_so)
-    clashes = clashes_of(found, words, is_so, [(c.start, c.end) for c in changes])
+    clashes = clashes_of(found, words, is_so, [*[(c.start, c.end) for c in changes], *away(small)])
     wanted = [change for clause in found for change in clause.changes]
     dropped = {subject for *_, subject in clashes}
     careful = any(
@@ -244,7 +263,11 @@ def spoken_changes(
                 c.start,
                 c.end,
                 tuple(
-                    [by_little(x) if careful else x for x in c.changes if subject_of(x) not in dropped | kept]
+                    [
+                        by_little(x) if careful and not is_told_by_how_much(x, wanted) else x
+                        for x in c.changes
+                        if subject_of(x) not in dropped | kept
+                    ]
                 ),
                 c.left_over,
             )
@@ -258,26 +281,6 @@ def spoken_changes(
         tuple(dict.fromkeys([(a, b) for a, b, _ in clashes])),
         tuple(taken),
         frozenset(dropped),
-    )
-
-
-def _is_amount_of(said: str, clause: SpokenClause, before: SpokenClause) -> bool:
-    """Whether a clause says by how much what stands before it: "too snug at the bust, I need 5 cm more"."""
-    waits = any(isinstance(c, Step) and c.amount is None for c in before.changes)
-    return waits and not _OF_LENGTH.search(said) and all(isinstance(c, Step) for c in clause.changes)
-
-
-def _said_again(
-    inside: Sequence[PartWord], grown: Sequence[ChangeWord], found: Sequence[SpokenClause], kind: str
-) -> tuple[Change, ...]:
-    """What was asked of one part, asked of those that are named behind it: "tighter cuffs and waistband"."""
-    before = [c.amount for c in found[-1].changes if isinstance(c, Step)] if found else []
-    if not before:
-        return ()
-    amount = before[0] if len(set(before)) == 1 else None
-    parts = dict.fromkeys(p.part for p in inside if p.part != "all")
-    return tuple(
-        [change for part in parts for w in grown for change in changes_of(part, w.what, w.sign, kind, amount)]
     )
 
 
@@ -320,75 +323,3 @@ def _read_alone(text: str, clause: SpokenClause, kind: str, language: Language |
     said = {word for i in details for word in i.mark.word.lower().split()}
     left = tuple([words for words in clause.left_over if not set(re.split(r"[\s-]+", words)) & said])
     return replace(clause, changes=tuple(gains), left_over=left if gains else clause.left_over)
-
-
-def _joined(
-    text: str,
-    found: Sequence[SpokenClause],
-    mentions: Sequence[Mention],
-    parts: Sequence[PartWord],
-    kind: str,
-) -> list[SpokenClause]:
-    """Clauses that go together: "sleeves: minus 4 cm", "a bit shorter, like 4 cm", "bigger. No, bigger"."""
-    joined: list[SpokenClause] = []
-    for k, clause in enumerate(found):
-        number = next((m for m in mentions if clause.start <= m.start < clause.end and m.is_length), None)
-        length = None if number is None else number.value
-        if not clause.changes and length is not None and joined:
-            before = joined[-1]
-            at = max((n for n, each in enumerate(joined) if each.changes), default=len(joined) - 1)
-            if _has_slits(joined[at]) and not any(clause.start <= p.start < clause.end for p in parts):
-                slits = Gain(Claim("slit_cm", round(length, 2)))
-                joined[at] = replace(joined[at], changes=(*joined[at].changes, slits))
-                joined.append(replace(clause, left_over=()))
-                continue
-            if any(isinstance(c, Step) and c.amount is None for c in before.changes):
-                assert number is not None
-                joined[-1] = _with_amount(text, before, number)
-                joined.append(replace(clause, left_over=()))
-                continue
-        named = " ".join(p.word for p in parts if clause.start <= p.start < clause.end)
-        if not clause.changes and k + 1 < len(found) and " ".join(clause.left_over) == named:
-            clause = _with_next(text, clause, found[k + 1], parts, kind)
-        whole = text[clause.start : clause.end].split()
-        repeated = [c for c in clause.changes if isinstance(c, Step) and c.quantity in ("chest", "length")]
-        again = len(whole) == 1 and re.search(rf"(?<!\w){re.escape(whole[0])}(?!\w)", text[: clause.start])
-        if joined and again and not named and repeated and len(clause.changes) == 1:
-            earlier = [c for one in joined for c in one.changes if isinstance(c, Step)]
-            if any(
-                c.direction == repeated[0].direction and c.quantity != repeated[0].quantity for c in earlier
-            ):
-                clause = replace(clause, changes=())
-        joined.append(clause)
-    return joined
-
-
-def _with_amount(text: str, clause: SpokenClause, number: Mention) -> SpokenClause:
-    """A clause with the number that stands behind it: by how much, or where its measures are to end."""
-    if is_target(text, number):
-        return replace(clause, changes=to_target(clause.changes, number))
-    return joined_amount(clause, number.value)
-
-
-def _has_slits(clause: SpokenClause) -> bool:
-    return any(
-        isinstance(c, Gain) and c.claim.name == "slit" and c.claim.value != "none" for c in clause.changes
-    )
-
-
-def _with_next(
-    text: str, clause: SpokenClause, behind: SpokenClause, parts: Sequence[PartWord], kind: str
-) -> SpokenClause:
-    """Parts that share what the clause behind them asks for: "the sleeves and the hem shorter"."""
-    own = [p for p in parts if clause.start <= p.start < clause.end and p.part != "all"]
-    shared = _JOINED.search(text, 0, behind.start) and any(
-        behind.start <= p.start < behind.end and p.part not in ("all", *[q.part for q in own]) for p in parts
-    )
-    steps = [c for c in behind.changes if isinstance(c, Step)]
-    if not (shared and steps and own):
-        told = {subject_of(change) for change in behind.changes}
-        answered = not own or any(told & subjects_of(part.part) for part in own)
-        return replace(clause, left_over=()) if answered else clause
-    grown = [c for c in find_changes(text) if behind.start <= c.start < behind.end]
-    made = _said_again(own, grown, [behind], kind)
-    return replace(clause, changes=made, left_over=() if made else clause.left_over)

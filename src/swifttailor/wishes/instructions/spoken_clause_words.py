@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 
 from swifttailor.describing.claims import Claim
 from swifttailor.describing.differences import Change, Gain, Step
@@ -13,6 +13,7 @@ from swifttailor.wishes.instructions.change_words import (
     PartWord,
     find_adjectives,
 )
+from swifttailor.wishes.instructions.parts_of_shapes import part_of_shape
 from swifttailor.wishes.instructions.spoken_amounts import (
     SIGNED,
     counts,
@@ -26,6 +27,7 @@ from swifttailor.wishes.instructions.spoken_clauses import SpokenClause
 from swifttailor.wishes.instructions.spoken_of import is_lacking
 from swifttailor.wishes.instructions.spoken_places import hem_shape, slit, slit_step
 from swifttailor.wishes.instructions.spoken_wholes import lacking, of_wholes
+from swifttailor.wishes.instructions.words_left_over import left_over
 from swifttailor.wishes.text.mentions import Mention
 from swifttailor.wishes.text.unread import is_function_word
 from swifttailor.wording.lexicon import Implication, WordMark, WordReading
@@ -41,7 +43,6 @@ _BITES = re.compile(r"(?<!\w)(?:dig|digs|digging|pinch\w*|cuts?|squeez\w*|constr
 _EACH = re.compile(r"(?<!\w)(?:(?:on )?(?:each|either|both) sides?|per side)(?!\w)")
 _VERY = re.compile(r"(?<!\w)(?:super|very|really|extra|much|way|even|muy|très|sehr)(?!\w)")
 """Of what is so already there is to be more: "super wide legs" of wide ones."""
-_SILENT = frozenset(["function", "polite", "degrees", "numbers", "negations", "generic"])
 _WITH_LEGS = frozenset(["trousers", "shorts", "jumpsuit", "playsuit"])
 _NAMED = {
     **dict.fromkeys(["pants", "trousers", "hose", "pantalon", "pantalón", "shorts"], _WITH_LEGS),
@@ -98,8 +99,9 @@ _UPPER = frozenset(
 _TO_BE = re.compile(
     r"(?<!\w)(?:make|made|be|become|want|wants|need|prefer|should|mach|rends|haz|rendi|maak|vorrei|faz|faça|deixa|deixe)(?!\w)"
 )
-_ARTICLE = re.compile(r"\s+(?:the|my|her|his)(?!\w)")
-_YEAR = re.compile(r"(?<!\w)(?:1[5-9]\d\d|\d0)s(?!\w)|(?<!\w)1[5-9]\d\d(?!\w)")
+_HUGE = re.compile(r"(?<!\w)(?:huge|enormous|massive|gigantic|giant|big|large)(?!\w)")
+_BALLOON = Claim("sleeve_shape", "balloon")
+"""What "huge sleeves" are called; on an edit they are to be wider than they are."""
 _STEPS_DOWN = re.compile(r"(?<!\w)(?:off|away|remove|take|lose|without|weniger|weg)(?!\w)")
 
 
@@ -194,6 +196,8 @@ def read_clause(
         if amount is not None and _EACH.search(said) and word.what == "width":
             amount *= 2
         made: tuple[Change, ...] = () if bare else hem_shape(said, named, word, kind, amount)
+        if named in (None, "all") and not them:
+            named = part_of_shape(text[word.start : word.end], kind, is_so) or named
         if named in (None, "all") and kind in _SKIRTED and not (them or (bare and last)):
             if set(text[word.start : word.end].split()) & _OF_HEMS:
                 named = "hem"
@@ -242,7 +246,7 @@ def read_clause(
                 changes += changes_of("sleeves", what, sign, kind, length)
     counted = more_of_them(said)
     whole = of_wholes(said, grown, kind, is_so) or ruffled
-    others = [i for i in claims if i.claim.name not in ("waistband", "sleeves")]
+    others = [i for i in claims if i.claim.name not in ("waistband", "sleeves") or _is_length_of_sleeves(i)]
     if not others and all(isinstance(c, Step) and c.quantity in _LACKED for c in changes):
         whole = whole or lacking(said, is_so)  # the "narrow" of a band to be added narrows nothing
     if counted or whole:
@@ -257,12 +261,19 @@ def read_clause(
         changes.append(Step("tiers", -1, 1.0))
     if any(p.part == "slit" for p in parts) and not claims and not changes:
         changes += slit(said, any(m.denied and start <= m.start < end for m in words.marks))
+    if _HUGE.search(said) and any(i.claim == _BALLOON for i in claims):
+        changes.append(Step("sleeve width", 1))
+        used += [(i.mark.start, i.mark.end) for i in claims]
+        claims, details = (
+            [i for i in claims if i.claim != _BALLOON],
+            [i for i in details if i.claim != _BALLOON],
+        )
     stepped = any(isinstance(c, Step) for c in changes)
     changes += [Gain(i.claim) for i in (details if stepped else claims)]
     used += [(p.start, p.end) for p in parts if changes or (p.part == "all" and _is_it(p.word, kind))]
     used += [(i.mark.start, i.mark.end) for i in claims]
     used += [(m.start, m.end) for m in numbers if not m.is_length or any(_has(c, m.value) for c in changes)]
-    left = _left_over(text, bounds, used, words)
+    left = left_over(text, bounds, used, words)
     if changes or any(lack.said and start <= lack.mark.start < end for lack in words.lacks):
         left = tuple([phrase for phrase in left if not _PLACES.fullmatch(phrase)])
     slits = any(isinstance(c, Gain) and c.claim.name == "slit" and c.claim.value != "none" for c in changes)
@@ -335,6 +346,11 @@ def _within(mark: WordMark, grown: Sequence[ChangeWord]) -> bool:
     )
 
 
+def _is_length_of_sleeves(implied: Implication) -> bool:
+    """Whether it says how long sleeves are to be, and not only that there are some."""
+    return implied.claim.name == "sleeves" and implied.mark.entries[0].category != "parts"
+
+
 def _is_bare(mark: WordMark, parts: Sequence[PartWord]) -> bool:
     """Whether a word is nothing but the name of a part."""
     return any(part.start == mark.start and part.end == mark.end for part in parts)
@@ -364,37 +380,3 @@ def part_said_of(word: ChangeWord, parts: Sequence[PartWord], spans: Sequence[tu
         return ends[0]
     fitting = sorted(named, key=lambda p: min(abs(p.start - word.end), abs(word.start - p.end)))
     return fitting[0].part
-
-
-def _left_over(
-    text: str, bounds: tuple[int, int], used: Iterable[tuple[int, int]], words: WordReading
-) -> tuple[str, ...]:
-    """Words of a clause that nothing accounts for, those that stand side by side together."""
-    start, end = bounds
-    taken = list(used)
-    answered = [(lack.mark.start, lack.mark.end) for lack in words.lacks if lack.said]
-    taken += answered
-    free = []
-    for mark in words.marks:
-        silent = bool(mark.entries) and mark.entries[0].category in _SILENT
-        sheer = any(e.looks and e.category == "fabrics" for e in mark.entries)
-        clothed = sheer or any(e.color or e.cloth or e.print or e.shade for e in mark.entries)
-        if silent or clothed or mark.denied:
-            free.append((mark.start, mark.end))
-    taken += free
-    missed = []
-    for match in _WORD.finditer(text, start, end):
-        if is_function_word(match[0]) or any(a <= match.start() < b for a, b in taken):
-            continue
-        if match[0] == "round" and _ARTICLE.match(text, match.end()):
-            continue  # "looser round the tummy": no neckline
-        missed.append(match)
-    joined: list[list[re.Match[str]]] = []
-    for match in missed:
-        if joined and text[joined[-1][-1].end() : match.start()].strip(" -") == "":
-            joined[-1].append(match)
-        else:
-            joined.append([match])
-    years = [match[0] for match in _YEAR.finditer(text, start, end)]
-    phrases = [text[group[0].start() : group[-1].end()] for group in joined]
-    return (*phrases, *years)

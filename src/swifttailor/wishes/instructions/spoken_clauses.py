@@ -91,6 +91,7 @@ _GONE = {
     "cuffs": ("cuff length",),
     "sleeves": ("sleeve length", "sleeve width", "sleeve end"),
     "hood": ("hood depth", "hood height"),
+    "slit": ("front slit", "back slit", "left slit", "right slit"),
 }
 
 
@@ -133,7 +134,7 @@ def other_than(never: Sequence[Claim], holds: Sequence[Claim], spoken: Iterable[
 _INSTEAD = {
     "cuffs": dict.fromkeys(("band", "flounce", "band and flounce", "deep"), "none"),
     "leg_cuffs": dict.fromkeys(("band", "flounce", "band and flounce", "gathered", "deep"), "none"),
-    "skirt": dict.fromkeys(("gathered", "tiered", "gathered tiers", "gored", "godets", "peplum"), "a-line"),
+    "skirt": dict.fromkeys(("gathered", "tiered", "gathered tiers", "gored", "godets"), "a-line"),
     "bodice": {"darted": "undarted", "gathered": "undarted"},
     "sleeve_shape": dict.fromkeys(("balloon", "puffed", "bell", "wide"), "slim"),
     "collar": dict.fromkeys(("turtleneck", "stand", "lapel"), "none"),

@@ -33,6 +33,11 @@ ONE_LEG = re.compile(
 OF_LEGS = frozenset(
     {"legs", "leg_hem", "leg_cuffs", "leg length", "leg end", "leg cuff length", "thigh", "inseam_cm"}
 )
+HEM_CLAIMS = frozenset({"skirt_hem", "leg_hem", "top_hem"})
+_SLITS = frozenset({"slit", "back_slit"})
+_TO_WHERE = frozenset({"thigh", "legs", "leg_end", "hips", "back"})
+"""Places that a slit reaches."""
+_OF_LENGTHS = re.compile(r"(?<!\w)(?:long\w*|short\w*|length\w*|hem\w*|mini|midi|maxi)(?!\w)")
 _UNEVEN = Gain(Claim("sides", "different"))
 _OF_SIDES = re.compile(
     r"(?<!\w)(?:left|right|sides?|one|half|halves|a?symm?et\w*|uneven|unequal|lopsided|odd|mismatch\w*)(?!\w)"
@@ -55,6 +60,8 @@ class SpokenOf:
     """Whether it speaks of sides at all: "a different colour" makes none unlike the other."""
     lacking: bool = False
     """Whether the garment has none of those that are named."""
+    of_slits_alone: bool = False
+    """Whether it speaks of slits and of nothing else that ends somewhere."""
 
     def least(self, change: Change) -> float:
         """How sure a network has to be that a change is meant, for it to be done."""
@@ -84,7 +91,8 @@ def parts_spoken_of(text: str, kind: str | None) -> SpokenOf:
     parts |= {part for name in named for part in _OF_BODIES.get(name, ())}
     lacking = bool(named) and kind is not None and all(is_lacking(name, kind) for name in named)
     sided = bool(named) or _OF_SIDES.search(text.lower()) is not None
-    return SpokenOf(frozenset(parts), sided, lacking)
+    slits = bool(named & _SLITS) and named <= _SLITS | _TO_WHERE and _OF_LENGTHS.search(text.lower()) is None
+    return SpokenOf(frozenset(parts), sided, lacking, slits)
 
 
 def is_lacking(part: str | None, kind: str) -> bool:

@@ -33,11 +33,28 @@ _SWAPPED = re.compile(
     r"(?P<made>(?:the|these|those|my|its)\s[^.,;!?]+?)\s+(?:be\s+)?an?(?!\w)"
     r"(?!\s(?:(?:little|tiny|wee) )?(?:bit|little|lot|tad|touch|smidge\w*|shade|fraction|hair|notch|size"
     r"|couple|few|half|inch|cm|hand|finger|good|whole|full \w+ \w+er)(?!\w))"
-    r"|(?<!\w)(?:turn|make|convert|transform)\s+(?P<turned>(?:the|these|those|my|its)\s[^.,;!?]+?)\s+into(?!\w)"
+    r"|(?<!\w)(?:turn|make|convert|transform)\s+(?P<turned>(?:(?:the|these|those|my|its)\s)?[^.,;!?]+?)\s+into(?!\w)"
     r"|(?<!\w)(?:instead of|in place of|rather than)\s+(?P<left>(?:the|these|those|my|its|an?)\s\w+(?: \w+)?)"
 )
 _LIKENESS = re.compile(r"(?<!\w)like (?:an? |the |some )?(?:\w+ )?$")
 """Before what a garment is to resemble and not to be: "baggy like a skater"."""
+_IS_ONE = re.compile(
+    r"(?<!\w)(?:this|it|that)(?:['’]?s| is| was| has become)(?: not|n['’]t)?"
+    r"(?: (?:just|basically|really|still|more of|only|totally|such))? an? (?:\w+ )?$"
+)
+"""Before what is said to be there: "this is a sack"."""
+_RATHER = re.compile(r",? (?:and )?(?:not|instead of|rather than|in place of) (?:an? |the )?(?P<old>[\w-]+)")
+"""Behind what a garment is to become: "a dress, not a top"."""
+_NAMES = {
+    "top": ("top", "shirt", "blouse", "tee", "t-shirt", "jumper", "hoodie", "sweater"),
+    "tunic": ("tunic", "top", "shirt"),
+    "dress": ("dress", "gown", "frock"),
+    "skirt": ("skirt",),
+    "trousers": ("trousers", "pants", "jeans", "leggings"),
+    "shorts": ("shorts",),
+    "jumpsuit": ("jumpsuit", "romper", "overalls"),
+    "playsuit": ("playsuit", "romper"),
+}
 _BESIDE_NUMBERS = frozenset(
     "long short wide high deep lang largo hoch tief lungo lunga lunghi lunghe comprido comprida longo "
     "longa".split()
@@ -148,9 +165,12 @@ def _is_target(text: str, mark: WordMark, value: str, kind: str, language: Langu
     if (
         value == kind
         or _LIKENESS.search(text[: mark.start])
+        or _IS_ONE.search(text[: mark.start])
         or (value in _PARTS_OF.get(kind, ()) and not _turns_into(text, mark))
     ):
         return False
+    if (rather := _RATHER.match(text, mark.end)) is not None and rather["old"] in _NAMES.get(kind, ()):
+        return True
     clause = next((text[a:b] for a, b in clauses_of(text, language) if a <= mark.start < b), text)
     named = [word for word in _WORD.findall(clause) if not is_function_word(word)]
     return _leads_to(text, mark) or (

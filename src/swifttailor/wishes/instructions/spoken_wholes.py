@@ -53,7 +53,7 @@ _BARED = re.compile(
     r" (?:off|out|away|bare|free|open)(?!\w)"
 )
 _COVERED = re.compile(
-    r"(?<!\w)(?:cover\w*|second|both|other|two|add|adding|needs?|want|with|put|sew|give)(?!\w)"
+    r"(?<!\w)(?:cover\w*|second|both|other|two|add|adding|needs?|want|with|put|sew|give|had|has|have)(?!\w)"
     r"[^.,;]{0,30}(?<!\w)(?:shoulders?|straps?|träger|bretelles?|tirantes)(?!\w)"
 )
 _BARE = tuple(Claim("shoulders", value) for value in ("bare left", "bare right", "strapless"))
@@ -67,7 +67,7 @@ _ONLY = re.compile(
     r"(?:\s+(?:of|from) (?:this|it|the \w+|that))?(?=\W*$|,|\s+(?:as|please|on its own)(?!\w))"
 )
 _SITS = re.compile(
-    r"(?<!\w)(?:sit|sits|sitting|rise|waist|waistline|sitzen|sitzt|leibhöhe|taille|vita|cós)(?!\w)"
+    r"(?<!\w)(?:sit|sits|sitting|rise|waist|waistline|sitzen|sitzt|leibhöhe|taille|vita|cós|cintura|talle|tiro)(?!\w)"
 )
 _WAIST_TO = r"(?<!\w)waist\w*[^.,;]*(?<!\w)"
 _HIP = re.compile(rf"{_WAIST_TO}(?:to|at|on|onto|around)\s+(?:the |my |her )?(?:low )?hips?(?!\w)")

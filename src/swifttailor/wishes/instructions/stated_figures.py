@@ -9,6 +9,7 @@ from swifttailor.describing.differences import Change, Gain, Step, subject_of
 from swifttailor.describing.dimensions import QUANTITIES
 from swifttailor.describing.facts import GarmentFacts
 from swifttailor.recutting.unasked import part_of
+from swifttailor.wishes.instructions.change_parts import is_unsaid
 
 _FIGURES = {
     "waistband": ("waistband_cm",),
@@ -26,14 +27,18 @@ _FIGURES = {
 """Claims in words, and those that say the same in figures."""
 
 
+_ENDS = {"skirt_hem": "length", "top_hem": "length", "leg_hem": "leg length", "sleeves": "sleeve length"}
+"""Claims of where something ends, and its length."""
+
+
 def without_steps_to(told: Sequence[Change]) -> list[Change]:
     """Without steps of what is stated in figures, of how much or by how much: "a narrower band, 2 cm"."""
     stated = {c.claim.name for c in told if isinstance(c, Gain) and not isinstance(c.claim.value, str)}
 
-    by = {(c.quantity, c.direction) for c in told if isinstance(c, Step) and c.amount is not None}
+    by = {(c.quantity, c.direction) for c in told if isinstance(c, Step) and not is_unsaid(c)}
 
     def is_told(change: Change) -> bool:
-        if isinstance(change, Step) and change.amount is None and (change.quantity, change.direction) in by:
+        if isinstance(change, Step) and is_unsaid(change) and (change.quantity, change.direction) in by:
             return True
         how = QUANTITIES[change.quantity].stated if isinstance(change, Step) else None
         return how is not None and how.claim in stated
@@ -85,6 +90,9 @@ def is_stated(change: Change, told: Sequence[Change]) -> bool:
         told: What is asked for.
     """
     names = {c.claim.name for c in told if isinstance(c, Gain) and not isinstance(c.claim.value, str)}
+    by = {c.quantity for c in told if isinstance(c, Step) and c.amount is not None}
+    if isinstance(change, Gain) and _ENDS.get(change.claim.name) in by:
+        return True  # "crop it by 5 cm": it is to end where that leads
     if isinstance(change, Step):
         how = QUANTITIES[change.quantity].stated
         return how is not None and how.claim in names
@@ -149,6 +157,30 @@ def to_the_word(told: Sequence[Change], facts: GarmentFacts) -> list[Step]:
         if share is not None and change.claim.value not in called and change.holds(facts, facts):
             off = share * facts.body.arm_length - now
             found.append(Step("sleeve length", 1 if off > 0 else -1, round(abs(off), 1)))
+    return found
+
+
+def of_one_arm(told: Sequence[Change], lengths: Sequence[float], facts: GarmentFacts) -> list[Change]:
+    """What asks for one sleeve of another length, where that is far from the number that is said of it.
+
+    One sleeve is cut to the lengths that there are words for; "2 cm shorter" is none of them.
+
+    Args:
+        told: What is asked for.
+        lengths: In the text, cm.
+        facts: Of the garment.
+    """
+    found: list[Change] = []
+    for change in told:
+        if not isinstance(change, Gain) or change.claim.name not in ("left_sleeve", "right_sleeve"):
+            continue
+        sleeve = facts.left_sleeve if change.claim.name == "left_sleeve" else facts.right_sleeve
+        share = _SLEEVES.get(str(change.claim.value))
+        if sleeve is None or share is None or change.holds(facts, facts):
+            continue
+        off = abs(share * facts.body.arm_length - sleeve.length)
+        if lengths and not any(abs(off - length) <= 0.3 * off for length in lengths):
+            found.append(change)
     return found
 
 

@@ -71,6 +71,7 @@ def with_the_whole(
         for wish in heard
         if wish.change in firm
         or likely.of(wish.change) >= (min(doubted, AT_ODDS) if wish.change in clear else doubted)
+        or likely.of_another_like(wish.change) >= MEANT
     ]
     if not heard and not read and whole:
         best = max(whole, key=lambda change: whole[change])
@@ -228,3 +229,16 @@ class _Chances:
         if isinstance(change, Gain) and isinstance(change.claim.value, str):
             return self._whole.get(change, 1.0)
         return self._by_label.get(label_of(change), 1.0)
+
+    def of_another_like(self, change: Change) -> float:
+        """How likely any other value of its claim is, where no single one is: of a full skirt a circle."""
+        if not isinstance(change, Gain) or change.claim.value == "none":
+            return 0.0
+        others = [
+            chance
+            for other, chance in self._whole.items()
+            if isinstance(other, Gain)
+            and other.claim.name == change.claim.name
+            and other.claim.value != "none"
+        ]
+        return sum(others) if max(others, default=0.0) < MEANT else 0.0

@@ -6,7 +6,7 @@ hem is to be longer, of shorts as of a skirt. What a garment lacks is read as wh
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from math import prod
 
@@ -49,6 +49,23 @@ _MAY_BE_ANOTHERS = frozenset(
     ]
 )
 """What changes are about that may become others, or what others become."""
+
+
+def with_hems_of_kind(told: Sequence[Change]) -> list[Change]:
+    """Hems as the garment has them that is to be made: of "as a skirt to the ankle" that of the skirt.
+
+    Args:
+        told: What is asked for.
+    """
+    kinds = [str(c.claim.value) for c in told if isinstance(c, Gain) and c.claim.name == "kind"]
+    found: list[Change] = []
+    for change in told:
+        name = change.claim.name if isinstance(change, Gain) else ""
+        other, words = _CLAIM_INSTEAD.get(name, ("", None))
+        if isinstance(change, Gain) and words and kinds and not fits_kind(name, kinds[0]):
+            change = Gain(Claim(other, words[str(change.claim.value)]))
+        found.append(change)
+    return found
 
 
 def of_kind(whole: Mapping[Change, float], kind: str, facts: GarmentFacts) -> dict[Change, float]:
