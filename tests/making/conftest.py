@@ -132,6 +132,7 @@ TRIMMED = {
     "bustle skirt": ("circle-skirt", ("bustle",)),
     "crinoline": ("gathered-skirt", ("hoops",)),
     "wrap top": ("wrap-top", ("nape bow", "side tie")),
+    "Oxford shirt": ("shirt", ("collar buttons", "back yoke")),
 }
 """Name of a draft and what is put on it: between them all trims that there are."""
 

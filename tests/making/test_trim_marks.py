@@ -55,6 +55,7 @@ NAMES = (
     "stitched jeans", "seamed denim jacket", "buckled dungarees", "kilt", "folded leggings", "running top",
     "girl's dress", "dirndl with a blouse", "maternity top", "skort",
     "dress with frilled shoulders", "illusion dress", "bustle skirt", "crinoline", "wrap top",
+    "Oxford shirt",
 )  # fmt: skip
 
 

@@ -65,6 +65,7 @@ _LINES: Mapping[str, str] = {
     "draped folds": "fold",
     "princess seams": "princess seam",
     "yoke": "seam of the yoke",
+    "back yoke": "seam of the yoke",
 }
 
 

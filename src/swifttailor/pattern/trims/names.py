@@ -149,6 +149,8 @@ TRIMS: Mapping[str, str] = {
     "bustle": "a skirt gathered up behind",
     "hoops": "a skirt held out by hoops",
     "side tie": "a band tied at the left side of the waist",
+    "collar buttons": "buttons at the points of the collar",
+    "back yoke": "a yoke across the back",
 }
 """By name, what each is for people. None joins panels, so none changes how a garment is cut or hangs."""
 LIKE_EACH_OTHER = (
@@ -191,7 +193,7 @@ LIKE_EACH_OTHER = (
         "fine pleats",
     ),
     ("back pleat", "fine pleats", "box pleats"),
-    ("yoke", "yoke frill", "smocking", "denim seams", "blouse front", "illusion yoke"),
+    ("yoke", "back yoke", "yoke frill", "smocking", "denim seams", "blouse front", "illusion yoke"),
     ("waist frill", "folded band"),
     ("sleeve frills", "sleeve turn-ups", "thumb holes"),
     ("creases", "pleat lines"),
