@@ -10,7 +10,8 @@ from swifttailor.describing.claims import Claim
 from swifttailor.pattern.drafts.draft_names import NamedDraft
 
 _MEETS = re.compile(
-    r"(?<!\w)(?:edge[- ]to[- ]edge|worn open|open[- ]front(?:ed)?|(?:no|without(?: an?y?)?) (?:fastenings?|closures?|fasteners?)"
+    r"(?<!\w)(?:edge[- ]to[- ]edge|worn open|open[- ]front(?:ed)?"
+    r"|(?:no|without(?: an?y?)?) (?:fastenings?|closures?|fasteners?)"
     r"|kante an kante|ohne verschluss|bord à bord|sans fermeture|sin cierre)(?!\w)",
     re.IGNORECASE,
 )

@@ -43,9 +43,7 @@ def with_told_collar(named: Sequence[NamedDraft], shirt: NamedDraft) -> list[Nam
     own = dict(shirt.options)
     collar = {_COLLAR: own.get(_COLLAR, _SHIRT), **{n: own[n] for n in _OF_COLLARS if n in own}}
     return [
-        replace(
-            draft, options=(*[o for o in draft.options if o[0] not in _OF_LAPELS], *collar.items())
-        )
+        replace(draft, options=(*[o for o in draft.options if o[0] not in _OF_LAPELS], *collar.items()))
         for draft in named
         if draft.name == _JACKET
     ]
