@@ -134,6 +134,7 @@ TRIMMED = {
     "wrap top": ("wrap-top", ("nape bow", "side tie")),
     "pleated pencil skirt": ("fitted-skirt", ("kick pleat",)),
     "dress of panels": ("skater-dress", ("princess panels",)),
+    "Oxford shirt": ("shirt", ("collar buttons", "back yoke")),
 }
 """Name of a draft and what is put on it: between them all trims that there are."""
 

@@ -56,6 +56,7 @@ NAMES = (
     "girl's dress", "dirndl with a blouse", "maternity top", "skort",
     "dress with frilled shoulders", "illusion dress", "bustle skirt", "crinoline", "wrap top",
     "pleated pencil skirt", "dress of panels",
+    "Oxford shirt",
 )  # fmt: skip
 
 

@@ -58,7 +58,7 @@ SLITS = [Claim("slit", "left"), Claim("slit", "right")]
         (
             "robe",
             [LAPEL],
-            "coat(lapels=shawl;chest_ease=18;neck_depth=30;opening=-14;closed_to=4;arm_ease=13;sleeve_end=38;length=70)",
+            "coat(lapels=shawl;chest_ease=18;neck_depth=28;opening=-14;closed_to=4;crossing=7;arm_ease=13;sleeve_end=38;length=70)",
         ),
         (
             "coat(length=80)",

@@ -43,12 +43,47 @@ def reader():
         ("blue housecoat", "coat", {"collar": "shirt", "opening": -3.0}),
         ("cape coat in red wool", "cape", {"collar": "shirt", "closed": 90.0}),
         ("ringmaster tailcoat", "coat", {}),
+        ("jacket with a Peter Pan collar", "blazer", {"collar": "flat"}),
+        ("jacket with a shirt collar", "blazer", {"collar": "shirt"}),
+        ("jacket with a standing collar", "blazer", {"collar": "standing"}),
+        ("blazer with a mandarin collar", "blazer", {"collar": "mandarin"}),
+        ("collarless coat", "coat", {"collar": "none"}),
+        ("coat, edge to edge", "coat", {"collar": "none", "closed_to": -30.0, "opening": 8.0}),
+        ("tweed jacket, no collar, edge to edge", "cardigan", {"closed_to": -30.0, "opening": 4.0}),
+        ("coat with a shawl collar, no fastening", "coat", {"lapels": "shawl", "closed_to": -30.0}),
+        ("princess line coat, eight panels", "coat", {"waist_shaping": 4.0, "flare": 50.0}),
+        ("bathrobe", "coat", {"crossing": 7.0}),
+        ("silk kimono robe", "robe", {"crossing": 7.0}),
+        ("nightshirt, buttons down the front", "shift-dress", {"collar": "shirt", "cuffs": True}),
+        ("button-down shirt, oxford, light blue", "shirt", {"hem_rise": 5.0}),
+        ("office blouse, neck closed", "shirt", {"collar": "standing"}),
     ],
 )
 def test_a_collar_and_the_block_that_it_is_cut_on(reader, text, name, options):
     first = hear_description(text, reader).drafts[0]
     assert first.name == name
     assert options.items() <= dict(first.options).items()
+
+
+@pytest.mark.parametrize(
+    ("text", "draft", "trim", "is_put_on"),
+    [
+        ("an Oxford shirt", "shirt", "collar buttons", True),
+        ("a shirt with a button-down collar", "shirt", "collar buttons", True),
+        ("a white shirt", "shirt", "collar buttons", False),
+        ("a blouse with a back yoke", "shirt", "back yoke", True),
+        ("a nightshirt with buttons down the front", "shift-dress", "button placket", True),
+        ("a coat, edge to edge", "coat", "buttons", False),
+        ("a coat", "coat", "buttons", True),
+        ("a parka", "hooded-coat", "drawstring", True),
+        ("a wrap skirt with a tie at the side", "wrap-skirt", "hip knot", True),
+        ("a satin wrap skirt, tie at waist", "wrap-skirt", "hip knot", True),
+        ("a shirt with a tie", "shirt", "hip knot", False),
+    ],
+)
+def test_what_shirts_coats_and_wraps_are_closed_and_known_by(reader, text, draft, trim, is_put_on):
+    first = [wish.choices[0] for wish in trims_wanted(hear_description(text, reader), draft)]
+    assert any(trim in names for names in first) == is_put_on
 
 
 @pytest.mark.parametrize(

@@ -105,6 +105,10 @@ _OTHERS: Mapping[str, tuple[str, str]] = {
         "Lace at the neck",
         "Sew lace of 4 cm along the neckline or the edge of the collar, its straight edge to the seam.",
     ),
+    "collar buttons": (
+        "Buttons at the points of the collar",
+        "Sew a buttonhole of 1.2 cm at each point of the collar, and small buttons on the fronts below them.",
+    ),
     "epaulettes": (
         "Epaulettes",
         "Cut four tabs of the marked halves, laid together along the shoulder, with allowances. Sew two and "
@@ -264,6 +268,11 @@ _OTHERS: Mapping[str, tuple[str, str]] = {
         "Yoke",
         "Cut the panels apart along the mark, with allowances on both sides, sew them together again, and "
         "topstitch the seam.",
+    ),
+    "back yoke": (
+        "Yoke of the back",
+        "Cut the backs apart along the mark, with allowances on both sides, cut the yoke twice, and sew the "
+        "lower back in between both layers.",
     ),
     "scalloped edge": (
         "Scallops along the hem",

@@ -66,6 +66,7 @@ _LINES: Mapping[str, str] = {
     **dict.fromkeys(("princess seams", "princess panels"), "princess seam"),
     "yoke": "seam of the yoke",
     "kick pleat": "fold of a pleat",
+    "back yoke": "seam of the yoke",
 }
 
 

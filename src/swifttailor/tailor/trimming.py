@@ -8,6 +8,7 @@ from dataclasses import replace
 from swifttailor.garment.part_looks import has_part
 from swifttailor.pattern import Pattern
 from swifttailor.pattern.trims import LIKE_EACH_OTHER, trims_that_fit
+from swifttailor.pattern.trims.front_view import is_closed_to_the_neck
 from swifttailor.pattern.trims.names import CLOSES_FRONT, COUNTED
 from swifttailor.tailor.answer import Answer
 from swifttailor.tailor.reading import facts_of
@@ -64,7 +65,12 @@ def _count(trims: Sequence[str], text: str, answer: Answer, own: Sequence[str]) 
         return 0
     edit = None if answer.wanted is None else answer.wanted.order.edit
     kept = edit is not None and any(name in own for name in trims if name in COUNTED)
-    usual = edit.button_count if edit is not None and kept else usual_buttons(answer.draft)
+    to_the_neck = is_closed_to_the_neck(answer.pattern)
+    usual = (
+        edit.button_count
+        if edit is not None and kept
+        else usual_buttons(answer.draft, to_the_neck=to_the_neck)
+    )
     return buttons_stated(text) or ("buttons" in trims or kept) * usual
 
 

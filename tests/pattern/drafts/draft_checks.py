@@ -16,6 +16,7 @@ WITH_BACK = {"bust": "back_width", "waist": "waist_back_width", "hips": "hip_bac
 
 
 FOLDED_OR_NOT = {
+    "blazer",
     "cape",
     "coat",
     "polo-shirt",

@@ -172,10 +172,11 @@ SHOULD_HAVE = {
     "illusion yoke": ("skater-dress", "fitted-dress", "t-shirt", "shift-dress", "empire-dress"),
     "bustle": ("circle-skirt", "skater-dress", "fitted-dress"),
     "hoops": ("gathered-skirt", "circle-skirt", "strapless-dress"),
-    "side tie": ("wrap-top", "wrap-dress", "t-shirt", "cardigan"),
+    "side tie": ("wrap-top", "wrap-dress", "wrap-jumpsuit", "t-shirt", "cardigan"),
     "kick pleat": ("fitted-skirt", "fitted-dress"),
     "princess panels": ("skater-dress", "fitted-dress"),
-    "side tie": ("wrap-top", "wrap-dress", "wrap-jumpsuit", "t-shirt", "cardigan"),
+    "collar buttons": ("shirt", "polo-shirt"),
+    "back yoke": ("shirt", "t-shirt", "shirt-dress"),
 }
 CHILDREN = (60.0, 92.0, 110.0, 128.0, 152.0)
 SOME = tuple(info for info in list_drafts() if info.name not in ("gored-skirt", "pleated-skirt"))
@@ -234,6 +235,7 @@ def test_has_its_place_on_the_drafts_that_should_have_it(name, drafts):
         ("hoops", "t-shirt"), 
         ("big buttons", "jeans"), ("nape bow", "halter-top"),
         ("box pleats", "camisole"), ("side tie", "trousers"),
+        ("collar buttons", "blazer"), ("collar buttons", "t-shirt"), ("back yoke", "jeans"),
     ],
 )  # fmt: skip
 def test_has_none_on_others(name, draft_name, drafts):

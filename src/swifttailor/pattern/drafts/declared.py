@@ -195,6 +195,16 @@ OverlapOrOpening = Annotated[
         14.0,
     ),
 ]
+Crossing = Annotated[
+    float,
+    Option(
+        "How far beside the middle, on the wearer's left, fronts that overlap meet where they are sewn last; "
+        "the seam above runs there from the neck.",
+        "cm",
+        0.0,
+        10.0,
+    ),
+]
 LapelDepth = Annotated[
     float, Option("Fall of the front neckline below the neck-shoulder point.", "cm", 18.0, 34.0)
 ]

@@ -60,9 +60,17 @@ def hip_knot(chalk: Chalk, name: str) -> list[Trim]:
     return [Bow(name, "wb_front", (u, v), _KNOT * chalk.size, _KNOT_ENDS * chalk.size)]
 
 
+_CORD, _LONG_TORSO = 1.3, 33.0
+"""Width of a cord around the waist, and how far below it what has one ends at least, cm."""
+
+
 def drawstring(chalk: Chalk, name: str) -> list[Trim]:
-    """Two ends of a cord from the middle of the waist."""
+    """Two ends of a cord from the middle of the waist; of coats in one piece the cord around it as well."""
     s, pieces = chalk.size, []
+    torso = chalk.views.get("left_ftorso")
+    if torso is not None and "skirt_front" not in chalk.views and "pant_f_l" not in chalk.views:
+        around = belt(chalk, name) if torso.low < chalk.waist - _LONG_TORSO * s else []
+        return [replace(one, width=_CORD * s) for one in around if isinstance(one, Belt)]
     for panel, sign in (("pant_f_l", 1), ("pant_f_r", -1)):
         view = chalk.views.get(panel) or chalk.views.get("skirt_front")
         if view is None:

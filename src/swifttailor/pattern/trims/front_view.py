@@ -27,6 +27,8 @@ _HANGING = 0.005
 """So much of a piece may lie beside its panel."""
 _STEEP = 2.0
 """An edge that rises so many times as far as it goes aside runs down the front."""
+_CLOSE_NECK = 16.0
+"""Necks that fall less below the shoulder are close, cm."""
 _MIDDLE = 3.0
 """Edges in the middle are at most so far from it, cm."""
 
@@ -171,6 +173,12 @@ def edge_at(pattern: Pattern, ref: EdgeRef, y: float) -> float:
     panel = pattern.panel(ref.panel)
     (x0, y0), (x1, y1) = sorted(FrontView(panel).seen(panel.chord(ref.edge)).tolist(), key=lambda end: end[1])
     return float(np.interp(y, (y0, y1), (x0, x1)))
+
+
+def is_closed_to_the_neck(pattern: Pattern) -> bool:
+    """Whether the seam down the front begins close below the neck, as it does not under lapels."""
+    seam = front_edge(pattern)
+    return seam is not None and FrontView(pattern.panel(seam[0].panel)).high - seam[3] < _CLOSE_NECK
 
 
 def front_edge(pattern: Pattern) -> tuple[EdgeRef, EdgeRef, float, float] | None:

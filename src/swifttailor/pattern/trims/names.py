@@ -151,6 +151,8 @@ TRIMS: Mapping[str, str] = {
     "hoops": "a skirt held out by hoops",
     "side tie": "a band tied at the left side of the waist",
     "kick pleat": "a pleat above the hem behind",
+    "collar buttons": "buttons at the points of the collar",
+    "back yoke": "a yoke across the back",
 }
 """By name, what each is for people. None joins panels, so none changes how a garment is cut or hangs."""
 LIKE_EACH_OTHER = (
@@ -194,7 +196,7 @@ LIKE_EACH_OTHER = (
     ),
     ("back pleat", "fine pleats", "box pleats"),
     ("princess seams", "princess panels"),
-    ("yoke", "yoke frill", "smocking", "denim seams", "blouse front", "illusion yoke"),
+    ("yoke", "back yoke", "yoke frill", "smocking", "denim seams", "blouse front", "illusion yoke"),
     ("waist frill", "folded band"),
     ("sleeve frills", "sleeve turn-ups", "thumb holes"),
     ("creases", "pleat lines"),

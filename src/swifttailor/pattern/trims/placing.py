@@ -29,6 +29,7 @@ from swifttailor.pattern.trims.boning import boning
 from swifttailor.pattern.trims.bust_gathers import bust_gathers
 from swifttailor.pattern.trims.chalk import Chalk
 from swifttailor.pattern.trims.chest_motifs import chest_heart, chest_star
+from swifttailor.pattern.trims.collar_buttons import collar_buttons
 from swifttailor.pattern.trims.cowl import cowl_folds
 from swifttailor.pattern.trims.cups import cups
 from swifttailor.pattern.trims.diagonal_closing import diagonal_closing
@@ -209,6 +210,8 @@ _PLACES: Mapping[str, Callable[[Chalk, str], list[Trim]]] = {
     "hoops": layer,
     "side tie": side_tie,
     "kick pleat": kick_pleat,
+    "collar buttons": collar_buttons,
+    "back yoke": seam_lines.back_yoke,
 }
 """How each of `names.TRIMS` is marked."""
 

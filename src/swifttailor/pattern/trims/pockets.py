@@ -56,8 +56,10 @@ def patch_pockets(chalk: Chalk, name: str) -> list[Trim]:
     pieces: list[Trim] = []
     skirt = chalk.views.get("skirt_front")
     legs = chalk.views.get("pant_f_l")
+    over = chalk.views.get("right_ftorso")
     for side, sign in (("left", 1), ("right", -1)):
         torso = chalk.views.get(f"{side}_ftorso")
+        lap = 0.0
         if skirt is not None:
             panel, top = "skirt_front", min(skirt.high, chalk.waist) - 8 * s
         elif legs is not None:
@@ -65,6 +67,8 @@ def patch_pockets(chalk: Chalk, name: str) -> list[Trim]:
         elif torso is not None and torso.low < chalk.waist - _SHORT_TORSO * s:
             panel = f"{side}_ftorso"
             top = min(chalk.waist - 4 * s, max(torso.low + 18 * s, chalk.waist - 12 * s))
+            edge = None if over is None else over.span(top - 15 * s)
+            lap = 0.0 if edge is None else max(edge[1], 0.0)  # of a front that lies over the other one
         else:
             return []
         view = chalk.views.get(panel)
@@ -76,7 +80,7 @@ def patch_pockets(chalk: Chalk, name: str) -> list[Trim]:
         # Gathers draw what lies beside the middle of a wide skirt together.
         wide = abs(_upper_corner(view, sign)[0]) if panel == _SKIRT else 0.0
         beside = _OF_WIDE * wide if wide > _WIDE * s else 12.0 * s
-        x = sign * min(beside, outer - width / 2 - 1.2)
+        x = sign * min(max(beside, lap + width / 2 + 1.0), outer - width / 2 - 1.2)
         if height < 8 * s or sign * x - width / 2 < 0.8:
             return []
         found = chalk.pocket(name, panel, (x, top), width, height)
@@ -99,7 +103,8 @@ def welt_pockets(chalk: Chalk, name: str) -> list[Trim]:
         lowest = view.low if column is None else column[0]
         top = max(top, lowest + 6 * s)
         span = view.span(top)
-        if span is None or top > chalk.waist + 6 * s:
+        highest = chalk.waist + 6 * s if "left_sleeve_f" not in chalk.views else chalk.waist - 2 * s
+        if span is None or top > highest:
             return []
         edge = max(sign * span[0], sign * span[1])
         outer, width = min(12.5 * s, edge - 7.5 * s), 13 * s

@@ -15,6 +15,8 @@ _AT_WAIST, _AT_HEM = 0.42, 0.42
 """Where princess seams lie at the waist and at the hem, as parts of half the width."""
 _BELOW_SHOULDER, _INSIDE = 10.0, 0.6
 """How far below the shoulders they begin in the armhole, and how far they stay from edges, cm."""
+_STEP = 1.0
+"""By how much higher a seam is tried to end where it finds no place, cm."""
 _YOKE, _HIP_YOKE, _POINT = 9.5, 10.0, 3.0
 """How far below shoulders and waist yokes end, and by how much that of a hip is lower in the middle, cm."""
 _HIPS = (
@@ -63,6 +65,11 @@ def yoke(chalk: Chalk, name: str) -> list[Trim]:
     return []
 
 
+def back_yoke(chalk: Chalk, name: str) -> list[Trim]:
+    """A seam across the upper back alone."""
+    return _across_shoulders(chalk, name, ("btorso",))
+
+
 def _over_bust(chalk: Chalk, name: str, view: FrontView, sign: float) -> list[Trim]:
     """From the armhole, or the upper edge of a strapless bodice, to the lower edge."""
     s, panel = chalk.size, view.panel.name
@@ -85,9 +92,14 @@ def _over_bust(chalk: Chalk, name: str, view: FrontView, sign: float) -> list[Tr
         + (2 * t * (1 - t))[:, None] * (x, begin - 1.0)
         + (t**2)[:, None] * (x, bust)
     )
-    below = [(x, float(y)) for y in np.linspace(bust, low, 10)[1:]]
-    points = [*[(float(a), float(b)) for a, b in curve], *below]
-    return chalk.line(name, panel, [(sign * a, b) for a, b in points], _SEAM)
+    # What is taken in by a dart from the hem ends at its tip, which goes on as the seam does.
+    for end in np.arange(low, bust - 2.0, _STEP):
+        below = [(x, float(y)) for y in np.linspace(bust, end, 10)[1:]]
+        points = [*[(float(a), float(b)) for a, b in curve], *below]
+        found = chalk.line(name, panel, [(sign * a, b) for a, b in points], _SEAM)
+        if found:
+            return found
+    return []
 
 
 def _down(chalk: Chalk, name: str, view: FrontView, sign: float) -> list[Trim]:
@@ -105,10 +117,10 @@ def _down(chalk: Chalk, name: str, view: FrontView, sign: float) -> list[Trim]:
     return chalk.line(name, view.panel.name, line, _SEAM)
 
 
-def _across_shoulders(chalk: Chalk, name: str) -> list[Trim]:
+def _across_shoulders(chalk: Chalk, name: str, parts: tuple[str, ...] = ("ftorso", "btorso")) -> list[Trim]:
     y = chalk.shoulder - _YOKE * chalk.size
     pieces: list[Trim] = []
-    for part in ("ftorso", "btorso"):
+    for part in parts:
         for side, sign in _SIDES:
             view = chalk.views.get(f"{side}_{part}")
             span = None if view is None else view.span(y)

@@ -17,8 +17,8 @@ _CROPPED: Mapping[str, tuple[str, Mapping[str, float]]] = {
     ),
     **dict.fromkeys(("sweatshirt", "hoodie"), ("chest_ease", {"cropped": 6.0, "waist": 7.0})),
     **dict.fromkeys(("camisole", "off-shoulder-top"), ("chest_ease", {"cropped": -4.0})),
-    "cardigan": ("chest_ease", {"cropped": 3.0, "waist": 6.0}),
-    "blazer": ("chest_ease", {"cropped": 1.0, "waist": 5.0}),
+    "cardigan": ("chest_ease", {"cropped": 4.0, "waist": 6.0}),
+    "blazer": ("chest_ease", {"cropped": 4.0, "waist": 6.0}),
     **dict.fromkeys(
         ("t-shirt", "shirt", "turtleneck", "tank-top"), ("chest_ease", {"cropped": -2.0, "waist": 4.0})
     ),

@@ -146,9 +146,9 @@ def draft_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft | N
         return None
     if _BARE in claims and draft.name not in BARE_SHOULDERED:
         return None
-    closed = draft.name == "shirt" and _stands(claims) and _ROLLED not in claims
-    closed = closed and Claim("collar", "lapel") not in claims
-    if closed or (draft.name in COLLARED and _STAND in claims):
+    high = draft.name == "shirt" or bool(draft.options)  # any top is called a shirt
+    high = high and _stands(claims) and _ROLLED not in claims and Claim("collar", "lapel") not in claims
+    if draft.name in COLLARED and (_STAND in claims or high):
         draft = replace(draft, options=(*[o for o in draft.options if o[0] != "collar"], STANDING))
     stands = draft.stands
     if not stands and draft.name not in COLLARED:
@@ -185,6 +185,9 @@ def _as_another(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     if draft.name == "blazer" and _bares_its_collar(claims):
         short = float(dict(draft.options).get("length", 24.0)) < _SHORT_JACKET_CM
         return _COLLARLESS if not short else _COLLARLESS_SHORT
+    if draft.name == "coat" and _bares_its_collar(claims):
+        kept = [option for option in draft.options if option[0] not in _OF_LAPELLED]
+        return replace(draft, options=(*kept, ("collar", "none")))
     return draft
 
 
@@ -194,6 +197,7 @@ def _bares_its_collar(claims: Sequence[Claim]) -> bool:
     return collars == {"none"} or (not collars and not _ROUND.isdisjoint(claims))
 
 
+_OF_LAPELLED = ("collar", "standing", "lapels", "lapel_width", "collar_width", "neck_depth")
 _ROUND = frozenset({Claim("neckline", "round"), Claim("neckline", "crew")})
 _SHORT_JACKET_CM = 8.0
 _OF_BANDED = ("length", "chest_ease", "shoulder_extension", "sleeve_length", "arm_ease", "sleeve_end")
@@ -225,6 +229,8 @@ def _standing(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
         more = {ROLLED[0]: ROLLED[1], "collar_height": _ROLL_CM} if rolled else dict([STANDING])
     elif draft.name == "coat":
         more = {"standing": True, "collar_height": _FUNNEL_CM if rolled else _STANDS_CM}
+    elif draft.name == "blazer" and "lapels" not in options:
+        more = {STANDING[0]: STANDING[1], "collar_height": _FUNNEL_CM if rolled else _STANDS_CM}
     else:
         return draft
     return replace(draft, options=tuple({**options, **more}.items()))
@@ -254,8 +260,8 @@ def _with_collar(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
 
 
 _SHAWL_ROBE: Mapping[str, float | str] = {
-    **{"lapels": "shawl", "chest_ease": 18.0, "neck_depth": 30.0, "opening": -14.0, "closed_to": 4.0},
-    **{"arm_ease": 13.0, "sleeve_end": 38.0},
+    **{"lapels": "shawl", "chest_ease": 18.0, "neck_depth": 28.0, "opening": -14.0, "closed_to": 4.0},
+    **{"crossing": 7.0, "arm_ease": 13.0, "sleeve_end": 38.0},
 }
 """Of a robe with a collar: it is cut as a coat that is held by its belt."""
 

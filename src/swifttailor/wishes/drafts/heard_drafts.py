@@ -18,12 +18,14 @@ from swifttailor.wishes.drafts.close_skirts import close_skirt_as_asked
 from swifttailor.wishes.drafts.close_wraps import roomy_wrap_as_asked, wrapped_close_as_asked
 from swifttailor.wishes.drafts.drafts_as_asked import draft_as_asked
 from swifttailor.wishes.drafts.drafts_of_names import covers, draft_of_kind, draft_of_name
+from swifttailor.wishes.drafts.edge_to_edge import edge_to_edge_as_said
 from swifttailor.wishes.drafts.elastic_waists import denied_lacks, elastic_meant
 from swifttailor.wishes.drafts.fitted_dresses import fitted_as_asked
 from swifttailor.wishes.drafts.godets_as_asked import godets_as_asked
 from swifttailor.wishes.drafts.gored_drafts import gored_as_said
 from swifttailor.wishes.drafts.hearted_drafts import hearted_as_asked
 from swifttailor.wishes.drafts.huge_skirts import huge_as_said
+from swifttailor.wishes.drafts.jacket_collars import collar_told, with_told_collar
 from swifttailor.wishes.drafts.legged_drafts import short_as_a_playsuit
 from swifttailor.wishes.drafts.legs_by_words import legs_as_said
 from swifttailor.wishes.drafts.loosened_drafts import is_to_be_loose, loosened_as_asked
@@ -152,6 +154,7 @@ def drafts_of(heard: Heard) -> tuple[NamedDraft, ...]:
     lacks = frozenset([lack.what for lack in heard.lacks])
     fitting = [with_details(draft, lacks, sure) for draft in fitting]
     fitting = [with_shirt_collar(draft, heard.text, lacks) for draft in fitting]
+    fitting = [edge_to_edge_as_said(draft, heard.text, sure) for draft in fitting]
     fitting = [flare_as_said(short_flounce_as_asked(draft, sure), heard.text, sure) for draft in fitting]
     fitting = [tiers_as_asked(godets_as_asked(draft, sure), sure) for draft in fitting]
     fitting = [as_told(draft, sure) for draft in fitting]
@@ -250,7 +253,11 @@ def _is_a_crewneck(sure: Sequence[Claim]) -> bool:
 def _of_coats(named: list[NamedDraft], entries: Sequence[Entry]) -> list[NamedDraft]:
     """Of drafts that a text names, those that are coats where it names one: its collar is no dress's."""
     garments = {draft.name for e in entries if e.category == "garments" for draft in e.drafts}
-    details = {draft.name for e in entries if e.category != "garments" for draft in e.drafts}
+    told = [e for e in entries if e.category != "garments"]
+    details = {draft.name for e in told for draft in e.drafts}
+    collar = collar_told(told) if garments == {_JACKETS[0]} else None
+    if collar is not None:
+        return with_told_collar(named, collar)
     if garments and garments <= {*_COATS}:
         return [draft for draft in named if draft.name in _COATS]
     if garments == {_JACKETS[0]} and _PULLED_ON in details:

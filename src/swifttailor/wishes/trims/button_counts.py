@@ -81,9 +81,14 @@ def buttons_stated(text: str) -> int | None:
     return None
 
 
-def usual_buttons(draft: str) -> int:
-    """How many a garment has that is cut from a draft of that name; 0 where its length decides."""
-    return _USUAL.get(draft, 0)
+def usual_buttons(draft: str, *, to_the_neck: bool = False) -> int:
+    """How many a garment has that is cut from a draft of that name; 0 where its length decides.
+
+    Args:
+        draft: Its name; empty where it is cut from none.
+        to_the_neck: Whether the front is closed up to a close neck, as that of blazers is not.
+    """
+    return 0 if draft == "blazer" and to_the_neck else _USUAL.get(draft, 0)
 
 
 def closed_as_counted(draft: NamedDraft, text: str) -> NamedDraft:

@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from swifttailor.wording.lexicon import Lack
 
+WOUND = frozenset({"wrap-skirt", "sarong"})
+"""Drafts of skirts that are wound around the waist and tied there."""
 BIBBED = frozenset({"dungarees", "pinafore"})
 """Drafts whose straps have buckles."""
 _SASH = re.compile(r"\b(?:ribbon |satin |wide |contrast |contrasting )?sash\b(?! belt)", re.IGNORECASE)

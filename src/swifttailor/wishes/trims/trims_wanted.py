@@ -9,10 +9,11 @@ from swifttailor.describing.claims import Claim
 from swifttailor.describing.differences import Gain
 from swifttailor.pattern.trims.names import LIKE_EACH_OTHER
 from swifttailor.wishes.drafts.bygone_legs import PLEATED, is_bygone
+from swifttailor.wishes.drafts.edge_to_edge import meets_without_fastening
 from swifttailor.wishes.drafts.elastic_waists import denied_lacks
 from swifttailor.wishes.trims.big_buttons import BIG, asks_for_big_buttons
 from swifttailor.wishes.trims.loops_and_stitches import loops_and_stitches
-from swifttailor.wishes.trims.sashes import BIBBED, first_of_kind
+from swifttailor.wishes.trims.sashes import BIBBED, WOUND, first_of_kind
 from swifttailor.wishes.trims.three_stripes import three_as_said
 from swifttailor.wishes.trims.trims_by_place import is_elastic_behind, trims_by_place
 from swifttailor.wishes.trims.trims_of import KNEE_RIPS, TRIMS_OF
@@ -36,6 +37,10 @@ _JACKETS = frozenset(
 """Drafts that are buttoned without a band."""
 _WRAPS = frozenset({"wrap-dress", "wrap-jumpsuit", "wrap-top", "robe"})
 _HOODED = frozenset({"hoodie", "hooded-coat"})
+_SHIRTS = frozenset({"shirt", "polo-shirt", "shirt-dress", "shift-dress"})
+"""Drafts that are buttoned on a band, unless big buttons are told."""
+_OPEN_COATS = frozenset({"blazer", "coat", "cardigan"})
+"""Drafts that may be open from the neck down."""
 _RIBS, _RIBBED = "rib_bands", frozenset({"t-shirt", "tank-top", "sweatshirt"})
 _SECOND = (("side_stripes", "side_stripes", "side stripes"), ("edging", "braid", "edging"))
 """Parts that a second colour may be put on, what they stand for, and their trims."""
@@ -60,6 +65,8 @@ WITHOUT_FLY = frozenset({"pull-on-trousers", "joggers", "leggings"})
 _BOAT = Claim("neckline", "boat")
 _OPEN_KNIT, _HEM_BAND = "cardigan", Gain(Claim("waistband", "hem"))
 """The draft whose fronts no band joins at the hem: it is put on as a trim."""
+_TIES, _HIP_KNOT = frozenset({"belt", "ties", "ties_accessory"}), ("hip knot",)
+"""What ties of a skirt that is wound around are heard as, and how they are made."""
 _LOWER = ("trousers", "shorts")
 _BYGONE = (("pleats", "front pleats"), ("creases", "creases"))
 """What trousers of the time between the wars have in front."""
@@ -129,6 +136,8 @@ def trims_wanted(heard: Heard, draft: str = "", kind: str = "", *, anew: bool = 
             said = (BIG,)
         if lack.what == "buttons" and said == _DOWN_THE_FRONT and (draft in _BANDED or own == _OF_A_POLO):
             said = ("button placket",)
+        if draft in _SHIRTS:  # which have a band below their buttons
+            said = tuple(["button placket" if name == "buttons" else name for name in said])
         if draft in _HOODED:  # that of a hoodie
             said = tuple([_KANGAROO if name == "front pocket" else name for name in said])
         placed = trims_by_place(heard.text, lack.what, kind=kind, draft=draft) if lack.said else ()
@@ -148,6 +157,8 @@ def trims_wanted(heard: Heard, draft: str = "", kind: str = "", *, anew: bool = 
             alone = sorted(said or own, key=lambda name: name not in own)
             instead = [(name,) for names in placed for name in names[1:]]
             choices = (said or own, *[(name,) for name in alone], *instead, *choices)
+        if draft in WOUND and lack.said and lack.what in _TIES and _is_tied(lack.what, said):
+            choices = (_HIP_KNOT, *choices)
         if lack.what == "belt" and "tie belt" in said:  # what ends at the waist is tied there
             choices = (*choices, ("waist bow",))
         if lack.what == "side_stripes":
@@ -212,7 +223,14 @@ def _is_closed_otherwise(heard: Heard, named: tuple[str, ...], own: tuple[str, .
         draft: That it is cut from.
     """
     pulled_on = draft in _PULLED_ON or _BOAT in _claims(heard)
+    if draft in _OPEN_COATS and meets_without_fastening(heard.text):
+        return True
     return not _INSTEAD.isdisjoint(named) or (pulled_on and not own)
+
+
+def _is_tied(what: str, said: tuple[str, ...]) -> bool:
+    """Whether a skirt that is wound around is to be tied, and not belted."""
+    return what != "belt" or "tie belt" in said
 
 
 def _claims(heard: Heard) -> frozenset[Claim]:
@@ -288,7 +306,7 @@ def _usual(what: str, kind: str, cloth: str | None, draft: str) -> tuple[tuple[s
         return (("buckle belt",),) if kind in _LOWER else (("tie belt",), ("buckle belt",))
     if what == "ties":
         return (("side tie",), ("tie belt",)) if draft in _WRAPS else ()
-    if what == "apron" and draft == what:
+    if (what == "apron" and draft == what) or (what == "ties_accessory" and draft not in WOUND):
         return ()
     if what == "frills":
         return (

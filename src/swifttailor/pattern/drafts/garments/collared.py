@@ -37,6 +37,14 @@ _INSET_CM = 1.5
 """How far the armholes of a sleeveless shirt lie inside the shoulder tips."""
 
 
+CoatCollar = Literal["lapels", "none", "shirt", "folded", "flat", "standing", "mandarin"]
+JacketCollar = Annotated[
+    CoatCollar, Option("Collar: lapels, none on a round neck, or one of those that shirts have.")
+]
+_ROUND_NECK = Neckline("round", 0.5, 11.0, 2.0)
+"""Of a jacket or coat without a collar."""
+
+
 @dataclass(frozen=True)
 class PoloShirtOptions:
     """Options of the polo shirt."""
@@ -135,9 +143,11 @@ def _lay_left(
             lay_shaped_sleeve(table, figure, "plain", plain)
 
 
-def _finished(table: CuttingTable, collar: NeckCollar | LapelCollar, opening: float = 0.0) -> Pattern:
+def _finished(
+    table: CuttingTable, collar: NeckCollar | LapelCollar, opening: float = 0.0, crossing: float = 0.0
+) -> Pattern:
     table.mirror()
-    overlap_fronts(table, opening)
+    overlap_fronts(table, opening, crossing)
     sew_centres(table)
     collar.sew(table)
     return table.finish()
@@ -164,11 +174,13 @@ class BlazerOptions:
     sleeve_end: declared.SleeveEnd = 27.0
     sleeve_shape: SleeveShapeOption = "plain"
     shoulder_extension: declared.ShoulderExtension = 0.0
+    collar: JacketCollar = "lapels"
+    collar_height: CollarHeight = 5.0
 
 
 def draft_blazer(options: BlazerOptions, measurements: Measurements) -> Pattern:
     """Drafts the blazer for a body: closed for a little below the lapels, as by a button, and open below."""
-    return _with_lapels("blazer", options, measurements)
+    return _with_lapels("blazer", options, measurements, _collar_instead(options.collar, options))
 
 
 @dataclass(frozen=True)
@@ -182,6 +194,7 @@ class CoatOptions(BlazerOptions):
     neck_depth: declared.LapelDepth = 24.0
     opening: declared.OverlapOrOpening = 0.0
     closed_to: declared.ClosedTo = 30.0
+    crossing: declared.Crossing = 0.0
     collar_width: declared.LapelCollarWidth = 6.0
     lapel_width: declared.LapelWidth = 8.5
     armhole_drop: declared.ArmholeDrop = 3.5
@@ -189,20 +202,19 @@ class CoatOptions(BlazerOptions):
     arm_ease: declared.ArmEase = 10.0
     sleeve_end: declared.SleeveEnd = 31.0
     standing: Annotated[bool, Option("Sew a collar that stands to a close neck instead of lapels.")] = False
-    collar: Annotated[
-        Literal["lapels", "shirt", "folded", "flat", "standing"],
-        Option("Collar: lapels, or one of those that shirts have."),
-    ] = "lapels"
-    collar_height: CollarHeight = 5.0
     armhole: ArmholeCutOption = "set-in"
     wing: WingOption = 8.0
 
 
 def draft_coat(options: CoatOptions, measurements: Measurements) -> Pattern:
     """Drafts the coat for a body: a longer, wider blazer."""
-    shape = "standing" if options.standing else options.collar
-    collar = None if shape == "lapels" else NeckCollar(shape, options.collar_width, options.collar_height)
+    collar = _collar_instead("standing" if options.standing else options.collar, options)
     return _with_lapels("coat", options, measurements, collar, options.armhole, options.wing)
+
+
+def _collar_instead(shape: CoatCollar, options: BlazerOptions) -> NeckCollar | None:
+    """The collar that a jacket or coat has instead of lapels; None for lapels."""
+    return None if shape == "lapels" else NeckCollar(shape, options.collar_width, options.collar_height)
 
 
 def _with_lapels(
@@ -218,8 +230,9 @@ def _with_lapels(
     table = CuttingTable(name)
     neckline = Neckline("v", options.neck_widening, options.neck_depth, 1.5)
     extension = options.shoulder_extension
+    bare = collar is not None and collar.shape == "none"
     bodice = LooseBodice(
-        neckline if collar is None else collar.neckline(neckline),
+        neckline if collar is None else _ROUND_NECK if bare else collar.neckline(neckline),
         options.chest_ease,
         options.length,
         options.armhole_drop,
@@ -236,4 +249,5 @@ def _with_lapels(
     sewn.lay(table, figure)
     sleeve = Sleeve(options.sleeve_length, options.arm_ease, options.sleeve_end, 0.02, extension)
     lay_shaped_sleeve(table, figure, options.sleeve_shape, sleeve, armhole, wing)
-    return _finished(table, sewn, options.opening)
+    crossing = options.crossing if isinstance(options, CoatOptions) else 0.0
+    return _finished(table, sewn, options.opening, crossing)

@@ -7,6 +7,7 @@ from typing import Annotated
 
 from swifttailor.pattern.drafts import declared
 from swifttailor.pattern.drafts.armholes import RACER_STRAP_CM
+from swifttailor.pattern.drafts.band import lay_sleeve_cuff
 from swifttailor.pattern.drafts.bodice import (
     LooseBodice,
     follows_body,
@@ -63,6 +64,7 @@ class RobeOptions:
         float, Option("Length of the front that is open from the hem up.", "cm", 0.0, 70.0)
     ] = 52.0
     opening: declared.OverlapOrOpening = -18.0
+    crossing: declared.Crossing = 0.0
     sleeve_length: declared.SleeveLength = 54.0
     arm_ease: WideArmEase = 30.0
     sleeve_end: WideSleeveEnd = 54.0
@@ -85,7 +87,7 @@ def draft_robe(options: RobeOptions, measurements: Measurements) -> Pattern:
         front_opening=options.opening if options.front_slit else 0.0,
     )
     sleeve = Sleeve(options.sleeve_length, options.arm_ease, options.sleeve_end, 0.01)
-    return _with_sleeves(table, figure, bodice, sleeve, options.sleeve_shape)
+    return _with_sleeves(table, figure, bodice, sleeve, options.sleeve_shape, crossing=options.crossing)
 
 
 @dataclass(frozen=True)
@@ -263,6 +265,9 @@ class ShiftDressOptions:
     side_slits: declared.SideSlits = 0.0
     back_slit: declared.BackSlit = 0.0
     hem_rise: declared.HemRise = 0.0
+    cuffs: Annotated[bool, Option("Sew cuffs to plain sleeves.")] = False
+    cuff_height: declared.SleeveCuffHeight = 6.0
+    cuff_ease: declared.CuffWidth = 5.0
     collar: CollarOption = "none"
     collar_width: declared.CollarWidth = 5.5
     collar_height: CollarHeight = 4.0
@@ -308,8 +313,13 @@ def _from_the_shoulders(
     lay_loose_bodice(table, figure, bodice)
     collar.lay(table, figure)
     if options.sleeves:
-        sleeve = Sleeve(options.sleeve_length, options.arm_ease, options.sleeve_end, 0.01, extension)
+        cuffed = shift is not None and shift.cuffs and options.sleeve_shape == "plain" and cut != "cut-in-one"
+        cuff = min(shift.cuff_height, options.sleeve_length - 9.0) if shift and cuffed else 0.0
+        long = options.sleeve_length - cuff
+        sleeve = Sleeve(long, options.arm_ease, options.sleeve_end, 0.01, extension)
         lay_shaped_sleeve(table, figure, options.sleeve_shape, sleeve, cut, wing)
+        if shift and cuffed:
+            lay_sleeve_cuff(table, figure, long, shift.cuff_ease, cuff)
     table.mirror()
     sew_centres(table)
     collar.sew(table)
@@ -323,6 +333,7 @@ def _with_sleeves(
     sleeve: Sleeve,
     shape: SleeveShape = "plain",
     collar: NeckCollar = NO_COLLAR,
+    crossing: float = 0.0,
 ) -> Pattern:
     """Lays a loose bodice with sleeves and perhaps a collar, and sews everything."""
     lay_loose_bodice(table, figure, bodice)
@@ -330,7 +341,7 @@ def _with_sleeves(
     sleeve = replace(sleeve, shoulder_extension=max(bodice.shoulder_extension, 0.0))
     lay_shaped_sleeve(table, figure, shape, sleeve)
     table.mirror()
-    overlap_fronts(table, bodice.front_opening)
+    overlap_fronts(table, bodice.front_opening, crossing)
     sew_centres(table)
     collar.sew(table)
     return table.finish()

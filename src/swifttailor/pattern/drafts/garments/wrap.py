@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Annotated, Literal
 
 from swifttailor.pattern.drafts import declared
-from swifttailor.pattern.drafts.bodice import LooseBodice, lay_loose_bodice
+from swifttailor.pattern.drafts.bodice import SHORT_CM, LooseBodice, lay_loose_bodice
 from swifttailor.pattern.drafts.crossed_fronts import cross_fronts, shorten_darts
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure
@@ -34,6 +34,8 @@ CrossDepth = Annotated[
 ]
 
 _OVERLAP = Overlap(aside=11.0, edge=16.0, under=28.0)
+_DRAWN_IN = 2.0
+"""How much more each side of a top narrows that ends at the waist, where it is tied, cm."""
 _ABOVE_HEM = 3.0
 """Least distance of the end of the crossing from the hem of a top, cm."""
 
@@ -111,7 +113,7 @@ def draft_wrap_top(options: WrapTopOptions, measurements: Measurements) -> Patte
         options.length,
         options.armhole_drop,
         shoulder_extension=0.0 if options.sleeves else -1.5,
-        waist_shaping=options.waist_shaping,
+        waist_shaping=options.waist_shaping + (_DRAWN_IN if options.length < SHORT_CM else 0.0),
     )
     lay_loose_bodice(table, figure, bodice)
     _finish_bodice(table, figure, options, max(options.length, _ABOVE_HEM), options.armhole, options.wing)
