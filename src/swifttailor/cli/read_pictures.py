@@ -31,6 +31,7 @@ def read_pictures(asked: Generate) -> int:
     from swifttailor.render.png import encode_png
     from swifttailor.tailor.looking import parts_seen
     from swifttailor.tailor.picture_color import color_line, color_report, color_seen
+    from swifttailor.tailor.picture_print import print_line, print_report, print_seen
     from swifttailor.tailor.seen_sheet import draw_seen
     from swifttailor.wording.wish_lines import claim_line
 
@@ -44,6 +45,8 @@ def read_pictures(asked: Generate) -> int:
             for part, read in zip(about["parts"], one.reading.parts, strict=True):
                 color = color_seen(one, read.part)
                 part["color"] = None if color is None else color_report(color)
+                if read.print is not None:
+                    part["print"] = print_report(read.print)
                 if read.design is not None:
                     part["design"] = [parameter.to_json() for parameter in told_design(read.design)]
         with output.fill() as folder:
@@ -60,6 +63,8 @@ def read_pictures(asked: Generate) -> int:
         color = color_seen(pictures[0], name)
         if color is not None:
             lines.append(f"  colour: {color_line(color)}")
+        if (printed := print_seen(pictures[0], name)) is not None:
+            lines.append(f"  print: {print_line(printed)}")
         lines += [
             f"  {claim_line(s.claim)} ({s.certainty:.0%})" for s in part.statements if s.certainty >= TOLD
         ]

@@ -34,6 +34,8 @@ from swifttailor.picture_reader.person_halves import View, mean_of, with_legs, w
 from swifttailor.picture_reader.photograph_head import LEAST_LOGIT, PhotographHead
 from swifttailor.picture_reader.photographed import as_photograph, says_no_design, surely_somebody
 from swifttailor.picture_reader.plain_pictures import one_colour_around
+from swifttailor.picture_reader.print_head import PrintHead
+from swifttailor.picture_reader.prints_read import with_prints
 from swifttailor.picture_reader.reading import PictureReading
 from swifttailor.picture_reader.said import certainties, parts_present, share_of
 from swifttailor.picture_reader.said_reading import DESIGNS, reading_of
@@ -114,6 +116,8 @@ class PictureReader:
     """Gives what has seen nothing but photographs, and tells a few claims of somebody who is cut out."""
     photograph_head: Callable[[], PhotographHead] | None = None
     """Gives another that tells photographs from drawings, where the one in `shop` sees a drawing."""
+    prints: Callable[[], PrintHead] | None = None
+    """Gives what tells prints apart in photographs."""
     laid_heads: Callable[[], LaidHeads] | None = None
     """Gives what has seen nothing but photographs, and tells a few claims of what this network reads in such;
     of that for garments that nobody wears."""
@@ -160,6 +164,9 @@ class PictureReader:
             laid = SHIPPED_LAID if laid is None else laid
             shop = SHIPPED_SHOP if shop is None else shop
         heads = cache(lambda: WornHeads.load(threads=threads))
+        if laid or shop:
+            prints = cache(lambda: PrintHead.load(heads().trunk, threads=threads))
+            reader = replace(reader, prints=prints)
         if laid:
             told = cache(lambda: LaidHeads.load(heads().trunk, threads=threads))
             of_laid = cache(lambda: replace(PictureReader._opened(laid, threads), laid_heads=told))
@@ -215,6 +222,12 @@ class PictureReader:
             InputError: It is no picture of three colours.
         """
         require_picture(pixels)
+        read = self._read(pixels)
+        if self.prints is not None and read.is_photograph:
+            read = with_prints(read, pixels, self.prints())
+        return read
+
+    def _read(self, pixels: Pixels) -> PictureReading:
         height, width = pixels.shape[:2]
         side = max(height, width)
         whole = ((width - side) // 2, (height - side) // 2, side)

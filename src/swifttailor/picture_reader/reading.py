@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from swifttailor.describing.claims import Claim
 from swifttailor.picture_reader.figures import Figures
 from swifttailor.picture_reader.seen_design import SeenDesign
+from swifttailor.picture_reader.seen_print import SeenPrint
 from swifttailor.render import Camera
 
 TOLD = 0.3
@@ -85,6 +86,8 @@ class PartReading:
     called: str = ""
     """What clothes that nobody wears are called in photographs that a network has learnt from: "Shirt"; where
     it is sure of that."""
+    print: SeenPrint | None = None
+    """Of its cloth; None of plain cloth, where that is not sure, and in drawn pictures."""
 
     def certainty_of(self, claim: str, word: str) -> float:
         """How sure a statement is; 0 where it is not among those that were read."""

@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 
 from swifttailor.arrays import Array, Pixels
 from swifttailor.picture_reader.light import under_white_light
-from swifttailor.render.color import encode_srgb
-from swifttailor.render.lab import lab_of_linear, linear_of_lab, linear_of_srgb
+from swifttailor.picture_reader.lit_cloth import hex_of, lit
+from swifttailor.render.lab import lab_of_linear, linear_of_srgb
 
 _LONGEST = 256
 """Pixels: what is smaller than one of these is weave, and noise."""
@@ -35,12 +35,6 @@ _BEHIND = 0.5
 """How much of what looks like it close around the garment speaks against a colour."""
 _CLOSE = 0.08
 """Of the longest side: how far that is."""
-_LIT = (0.4, 0.9)
-"""Quantiles of lightness between which cloth is neither in shadow nor shines."""
-_GREYISH = 8.0
-"""Chroma up to which cloth may be white or black."""
-_WHITISH, _WHITER, _WHITE = 80.0, 2.2, 97.0
-_BLACKISH, _BLACKER = 20.0, 1.5
 
 
 @dataclass(frozen=True)
@@ -78,8 +72,8 @@ def seen_color(pixels: Pixels, mask: NDArray[np.float32]) -> SeenColor | None:
     order = np.argsort(_BEHIND * behind - shares, kind="stable")
     main = order[0]
     apart = _distances(middles, middles[main]) >= _TOLD_APART
-    others = tuple([_hex(_lit(lab[groups == k])) for k in order[1:] if apart[k] and shares[k] >= _SECOND])
-    return SeenColor(_hex(_lit(lab[groups == main])), float(1 - shares[apart].sum()), others)
+    others = tuple([hex_of(lit(lab[groups == k])) for k in order[1:] if apart[k] and shares[k] >= _SECOND])
+    return SeenColor(hex_of(lit(lab[groups == main])), float(1 - shares[apart].sum()), others)
 
 
 def _smaller(pixels: Pixels, mask: NDArray[np.float32]) -> tuple[Array, Array]:
@@ -167,26 +161,3 @@ def _distances(middles: Array, main: Array) -> Array:
     hue = main[1:] / max(float(np.hypot(*main[1:])), 1e-9)
     along = away[:, 1:] @ hue
     return np.sqrt((away**2).sum(axis=1) - 0.75 * along**2)
-
-
-def _lit(lab: Array) -> Array:
-    """The colour of cloth in full light."""
-    low, high = np.quantile(lab[:, 0], _LIT)
-    kept = lab[(lab[:, 0] >= low) & (lab[:, 0] <= high)]
-    return _as_white_and_black(np.median(kept, axis=0))
-
-
-def _as_white_and_black(lab: Array) -> Array:
-    """White cloth in a picture is greyer than it is, and black cloth, too: they move towards their ends."""
-    lightness, red, yellow = (float(value) for value in lab)
-    if np.hypot(red, yellow) > _GREYISH:
-        return lab
-    if lightness > _WHITISH:
-        lightness = min(_WHITISH + _WHITER * (lightness - _WHITISH), max(lightness, _WHITE))
-    elif lightness < _BLACKISH:
-        lightness = max(_BLACKISH - _BLACKER * (_BLACKISH - lightness), 0.0)
-    return np.array([lightness, red, yellow])
-
-
-def _hex(lab: Array) -> str:
-    return "#" + "".join([f"{int(value):02x}" for value in encode_srgb(linear_of_lab(lab))])

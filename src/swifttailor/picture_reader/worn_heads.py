@@ -103,16 +103,17 @@ class WornHeads:
         return found
 
 
-def features_of(trunk: Any, pixels: Pixels, square: Square) -> NDArray[np.float32]:
+def features_of(trunk: Any, pixels: Pixels, square: Square, *, mirrored: bool = True) -> NDArray[np.float32]:
     """(F,) what the trunk makes of a square of a picture and of its mirror image, their mean.
 
     Args:
         trunk: Of onnxruntime.
         pixels: (h, w, 3) sRGB.
         square: Of it.
+        mirrored: Whether the mirror image counts as well, which takes twice as long.
     """
     shown = cut_square(pixels, square, SIZE).astype(np.float32).transpose(2, 0, 1)[None] / np.float32(255)
-    both = np.ascontiguousarray(np.concatenate([shown, shown[..., ::-1]]))
+    both = np.ascontiguousarray(np.concatenate([shown, shown[..., ::-1]]) if mirrored else shown)
     features: NDArray[np.float32] = trunk.run(["features"], {"pictures": both})[0]
     return features.mean(axis=0)
 

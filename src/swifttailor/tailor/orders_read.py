@@ -16,6 +16,7 @@ from swifttailor.render.picture_file import read_picture
 from swifttailor.tailor.looking import ReadsPictures, SeenPicture, look_at, part_wanted, parts_cut_off
 from swifttailor.tailor.order import NO_READER, Order, one_line
 from swifttailor.tailor.picture_color import color_taken
+from swifttailor.tailor.picture_print import print_taken
 from swifttailor.tailor.picture_words import in_words, over_trousers
 from swifttailor.tailor.reading import Wanted, facts_of
 from swifttailor.tailor.seen_wishes import not_overruled, seen_wishes
@@ -105,9 +106,8 @@ def _read_order(order: Order, reader: WishReader | None, eyes: ReadsPictures | N
     sure = (*sure, *(w for w in kept if w.certainty >= SURE))
     likely = (*likely, *(w for w in kept if w.certainty < SURE))
     doubts, color = _doubts(pictures), color_taken(pictures[0], part.part, heard)
-    return Wanted(
-        order, text, image, sure, likely, notes, pictures, part, kept, gone, doubts, heard, seen_color=color
-    )
+    wanted = Wanted(order, text, image, sure, likely, notes, pictures, part, kept, gone, doubts, heard)
+    return replace(wanted, seen_color=color, seen_print=print_taken(pictures[0], part.part, heard))
 
 
 def _put_into_words(
@@ -142,6 +142,7 @@ def _put_into_words(
         warnings=doubts,
         heard=heard,
         seen_color=color,
+        seen_print=print_taken(pictures[0], part.part, heard),
         in_words=part,
         worded=tuple([w for w in (*heard.sure, *heard.likely) if w.change not in said]),
     )

@@ -26,6 +26,7 @@ from swifttailor.pattern_maker.maker import Request
 from swifttailor.pattern_maker.panel_foresight import PanelForesight
 from swifttailor.picture_reader.reading import PartReading
 from swifttailor.picture_reader.seen_color import SeenColor
+from swifttailor.picture_reader.seen_print import SeenPrint
 from swifttailor.recutting.alter import Alteration, alter
 from swifttailor.recutting.clearer import clearer
 from swifttailor.recutting.nearer import towards
@@ -34,6 +35,7 @@ from swifttailor.recutting.to_the_figure import to_the_figures
 from swifttailor.tailor.color_of_set import color_of_set
 from swifttailor.tailor.looking import SeenPicture
 from swifttailor.tailor.order import Order, one_line
+from swifttailor.tailor.picture_print import cloth_of
 from swifttailor.tailor.seen_wishes import LEAST_CUT, LEAST_CUT_OF_DRAFT
 from swifttailor.wishes.assumed.unsaid_looks import unexpected_looks
 from swifttailor.wishes.assumed.usual_measures import usual_measures, usual_necks
@@ -94,6 +96,8 @@ class Wanted:
     """Whether it is as a draft is cut to it whose design was read: then to nothing that is merely likely."""
     seen_color: SeenColor | None = None
     """Of its cloth in the first picture, where words leave it to that."""
+    seen_print: SeenPrint | None = None
+    """The same of what is printed on it."""
     in_words: PartReading | None = None
     """What the pictures say of the garment, where that was put into words and these joined the text."""
     worded: tuple[Wish, ...] = ()
@@ -136,6 +140,8 @@ class Wanted:
     @property
     def color(self) -> str | None:
         """The one asked for, seen, or that of the garment that it is made from; None where none is."""
+        if self.seen_print is not None:
+            return self.seen_print.colors[0]
         if self.seen_color is not None:
             return self.seen_color.rgb
         order = self.order
@@ -154,7 +160,9 @@ class Wanted:
 
     @property
     def print(self) -> ClothPrint | None:
-        """The print asked for, or that of the garment that it is made from where no colour is asked for."""
+        """The print asked for, or seen; that of the garment it is made from where no colour is asked for."""
+        if self.seen_print is not None:
+            return cloth_of(self.seen_print)
         kept = None if self._asked_color or self.heard.plain else self.order.print
         return self.heard.print or kept
 

@@ -20,6 +20,7 @@ from swifttailor.tailor.fabric_asked import fabric_unmet, fabric_warning
 from swifttailor.tailor.heard_notes import heard_notes, heard_report
 from swifttailor.tailor.order import Order, one_line
 from swifttailor.tailor.picture_color import color_line, color_report
+from swifttailor.tailor.picture_print import print_line, print_report
 from swifttailor.tailor.provenance import versions, weights
 
 if TYPE_CHECKING:
@@ -179,6 +180,7 @@ def _pictures(wanted: Wanted) -> dict[str, Any]:
         "read": [{"name": one.name} | one.reading.to_json() for one in wanted.pictures],
         "part": None if (part := wanted.part or wanted.in_words) is None else part.part,
         "color": None if wanted.seen_color is None else color_report(wanted.seen_color),
+        **({} if wanted.seen_print is None else {"print": print_report(wanted.seen_print)}),
         "likely": lines([w for w in wanted.likely if w in wanted.seen]),
         "overruled_by_text": lines(wanted.overruled),
     }
@@ -219,7 +221,9 @@ def order_notes(answer: Answer, wanted: Wanted) -> list[str]:
     found += trim_notes(answer)
     if wanted.part is not None:
         found.append(_read_line(wanted))
-    if wanted.seen_color is not None:
+    if wanted.seen_print is not None:
+        found.append(f"Seen in the picture: {print_line(wanted.seen_print)}.")
+    elif wanted.seen_color is not None:
         found.append(f"Seen in the picture: {color_line(wanted.seen_color)}.")
     if answer.not_followed:
         said = "; ".join(wish_line(w.change) for w in answer.not_followed)
