@@ -28,7 +28,6 @@ def reader():
         ("leggings, but bootleg", "flares", {"stretch": 8.0}),
         ("bootleg yoga pants", "flares", {"stretch": 8.0}),
         ("high waisted trousers", "trousers", {"below_waist": -3.5, "band_height": 7.0}),
-        ("high waisted leggings", "leggings", {"below_waist": -3.5}),
         ("Marlenehose", "trousers", {"below_waist": -3.0, "leg_ease": 42.0}),
         ("forties style trousers", "trousers", {"below_waist": -3.5, "leg_ease": 34.0}),
         ("trousers that narrow gradually to the ankle", "trousers", {"leg_ease": 17.0, "flare": -15.0}),

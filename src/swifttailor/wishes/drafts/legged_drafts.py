@@ -79,7 +79,6 @@ _MAY_BE_HIGH: Mapping[str, float] = {
     "pull-on-trousers": 4.0,
     "jeans": 6.0,
     "flares": 6.0,
-    "leggings": 8.0,
     "joggers": 4.0,
 }
 """Drafts that may begin above the waist, and the least height of their band then, cm."""
