@@ -16,6 +16,7 @@ from swifttailor.wishes.drafts.bygone_legs import legs_of_their_time
 from swifttailor.wishes.drafts.clinging_drafts import STRETCH, clinging_as_asked, top_clinging_as_asked
 from swifttailor.wishes.drafts.close_skirts import close_skirt_as_asked
 from swifttailor.wishes.drafts.close_wraps import roomy_wrap_as_asked, wrapped_close_as_asked
+from swifttailor.wishes.drafts.coats_as_named import coats_as_named
 from swifttailor.wishes.drafts.drafts_as_asked import draft_as_asked
 from swifttailor.wishes.drafts.drafts_of_names import covers, draft_of_kind, draft_of_name
 from swifttailor.wishes.drafts.edge_to_edge import edge_to_edge_as_said
@@ -25,7 +26,6 @@ from swifttailor.wishes.drafts.godets_as_asked import godets_as_asked
 from swifttailor.wishes.drafts.gored_drafts import gored_as_said
 from swifttailor.wishes.drafts.hearted_drafts import hearted_as_asked
 from swifttailor.wishes.drafts.huge_skirts import huge_as_said
-from swifttailor.wishes.drafts.jacket_collars import collar_told, with_told_collar
 from swifttailor.wishes.drafts.legged_drafts import short_as_a_playsuit
 from swifttailor.wishes.drafts.legs_by_words import legs_as_said
 from swifttailor.wishes.drafts.loosened_drafts import is_to_be_loose, loosened_as_asked
@@ -103,11 +103,6 @@ _OF_MOODS = frozenset({Claim("sleeves", "long"), Claim("skirt_hem", "below the k
 """What words of fits that name a mood make likely, and a draft is to have: a modest dress, a sexy one."""
 _KNITTED, _CORDUROY = ("jersey", "rib-knit"), "twill"
 """Fabrics that stretch, and what corduroy is made as, which has ribs and does not."""
-_COATS, _JACKETS = ("coat", "hooded-coat", "cape"), ("blazer", "turtleneck")
-"""Drafts of what is worn over other clothes and open in front, long and short."""
-_PULLED_ON = "t-shirt"
-_OPEN_JACKET = NamedDraft.parse("cardigan(length=22;chest_ease=14;neck_depth=16;opening=0;closed_to=8)")
-"""Of a jacket whose sleeves are raglan or cut in one, which those of blazers are not."""
 _STRAPLESS = ("bandeau", "bustier", "strapless-dress", "strapless-jumpsuit")
 _BUSTIER, _STRAPS, _TIED = "bustier", ("straps", True), "shoulder bows"
 
@@ -228,7 +223,7 @@ def _begun(heard: Heard, entries: Sequence[Entry], sure: Sequence[Claim]) -> lis
     if is_long_top(heard):
         kind, sure = "top", [claim for claim in sure if claim.name != "skirt_hem"]
     named = [draft for entry in entries for draft in entry.drafts if draft.kind == kind]
-    named = _of_coats(named, entries)
+    named = coats_as_named(named, entries)
     named = with_one_collar([as_not_refused(draft, heard.never) for draft in _in_detail(named, entries)])
     fitting = [draft_as_asked(armholes_as_asked(draft, heard.lacks), sure) for draft in named]
     if not named and heard.kind in (None, "top") and _tells_no_garment(heard):
@@ -248,23 +243,6 @@ def _begun(heard: Heard, entries: Sequence[Entry], sure: Sequence[Claim]) -> lis
 def _is_a_crewneck(sure: Sequence[Claim]) -> bool:
     """Whether a close round neck is all that is told of a garment: such sweatshirts are called crewnecks."""
     return _CREW in sure and not {"sleeves", "sleeve_shape", "fit"} & {claim.name for claim in sure}
-
-
-def _of_coats(named: list[NamedDraft], entries: Sequence[Entry]) -> list[NamedDraft]:
-    """Of drafts that a text names, those that are coats where it names one: its collar is no dress's."""
-    garments = {draft.name for e in entries if e.category == "garments" for draft in e.drafts}
-    told = [e for e in entries if e.category != "garments"]
-    details = {draft.name for e in told for draft in e.drafts}
-    collar = collar_told(told) if garments == {_JACKETS[0]} else None
-    if collar is not None:
-        return with_told_collar(named, collar)
-    if garments and garments <= {*_COATS}:
-        return [draft for draft in named if draft.name in _COATS]
-    if garments == {_JACKETS[0]} and _PULLED_ON in details:
-        return [_OPEN_JACKET]
-    if garments == {_JACKETS[0]} and _JACKETS[0] in details:
-        return [draft for draft in named if draft.name in _JACKETS]
-    return named
 
 
 def _told_beside(heard: Heard, entry: Entry) -> int:

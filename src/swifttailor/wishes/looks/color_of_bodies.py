@@ -6,7 +6,7 @@ from collections.abc import Iterable
 
 from swifttailor.garment.part_looks import PARTS
 from swifttailor.wording.lexicon import WordReading
-from swifttailor.wording.lexicon.said_looks import SaidLook
+from swifttailor.wording.lexicon.said_look import SaidLook
 
 _BETWEEN = frozenset({"sizes", "fabrics", "fits"})
 """What may stand between a garment's name and its colour."""

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
         WordReading,
         read_words,
     )
-    from swifttailor.wording.lexicon.said_looks import SaidLook
+    from swifttailor.wording.lexicon.said_look import SaidLook
     from swifttailor.wording.lexicon.usual_colors import usual_color
     from swifttailor.wording.lexicon.vocabulary import all_entries, cannot_texts
 

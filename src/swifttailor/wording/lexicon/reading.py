@@ -19,7 +19,8 @@ from swifttailor.wording.lexicon.marking import find_words
 from swifttailor.wording.lexicon.meanings import Meaning, Role, meanings
 from swifttailor.wording.lexicon.odd_ones import odd_ones
 from swifttailor.wording.lexicon.opposites_in_names import contradicting_pairs, without_closeness
-from swifttailor.wording.lexicon.said_looks import WHOLE, SaidLook, said_looks
+from swifttailor.wording.lexicon.said_look import WHOLE, SaidLook
+from swifttailor.wording.lexicon.said_looks import said_looks
 from swifttailor.wording.lexicon.vocabulary import vocabulary
 from swifttailor.wording.lexicon.worn_with import is_worn_with
 from swifttailor.wording.word_tables import Dialect

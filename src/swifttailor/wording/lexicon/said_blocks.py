@@ -10,7 +10,7 @@ from swifttailor.wording.lexicon.look_words import category_of, is_look
 
 if TYPE_CHECKING:
     from swifttailor.wording.lexicon.reading import WordMark
-    from swifttailor.wording.lexicon.said_looks import SaidLook
+    from swifttailor.wording.lexicon.said_look import SaidLook
 
 BLOCKS = "blocks"
 """The part of a garment that is in a second colour, wherever that may be."""

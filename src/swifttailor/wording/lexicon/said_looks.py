@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from swifttailor.wording.lexicon.colors import NamedColor
@@ -33,15 +32,13 @@ from swifttailor.wording.lexicon.look_words import (
     put_on,
 )
 from swifttailor.wording.lexicon.said_blocks import BLOCKS, blocks_named, own_colors, second_color
+from swifttailor.wording.lexicon.said_look import OPAQUE, OTHER, WHOLE, SaidLook
 from swifttailor.wording.lexicon.said_sides import with_sides
 
 if TYPE_CHECKING:
     from swifttailor.wording.lexicon.reading import WordMark
 
 _RGB = re.compile("[0-9a-f]{6}")
-WHOLE = "all"
-"""The part that is the whole garment."""
-OPAQUE, OTHER = "opaque", "other"
 _BETWEEN = frozenset(
     {
         *("styles", "fits", "lengths", "occasions", "colors", "shades", "prints", "fabrics", "sizes"),
@@ -68,26 +65,6 @@ _PLURAL_PRINT = re.compile(r"s$", re.IGNORECASE)
 _REST = re.compile(r"(?<!\w)(?:the )?(?:rest|remainder) (?:of|in|is|plain)(?!\w)", re.IGNORECASE)
 _APART = re.compile(r"[,;:.!?\n()|]")
 _MOST_BETWEEN = 6
-
-
-@dataclass(frozen=True, slots=True)
-class SaidLook:
-    """That a part looks otherwise, or that the whole garment is of a sheer cloth."""
-
-    part: str
-    """A part that words can name, `WHOLE`, or something that is put on: "buttons"."""
-    noun: str
-    """As the text has it; empty of the whole garment."""
-    color: NamedColor | None = None
-    cloth: str | None = None
-    """A key of `garment.part_looks.OPACITIES`, with ``lined_`` before what lies on a lining; or
-    ``contrast``: another colour than the garment's; or ``other``: a cloth that is not sheer."""
-    said: bool = True
-    """Whether a word about the look says so; otherwise the name of a garment implies it."""
-    marks: tuple[WordMark, ...] = ()
-    """The words for the look."""
-    noun_marks: tuple[WordMark, ...] = ()
-    """The words for the part."""
 
 
 def said_looks(text: str, marks: Sequence[WordMark], language: Language) -> tuple[SaidLook, ...]:

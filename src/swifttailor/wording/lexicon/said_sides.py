@@ -8,7 +8,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from swifttailor.wording.lexicon.said_looks import SaidLook
+    from swifttailor.wording.lexicon.said_look import SaidLook
 
 _PAIRS = ("sleeves", "legs")
 _ONE = r"(?:one|a single|ein|eine|einen|einem|einer|un|une|una|unas?)"
