@@ -159,7 +159,8 @@ def _with_legs(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
         if _WIDE_BAND in claims and draft.name in _WIDE_BANDS:
             options["band_height"] = max(_BROAD_CM, float(options.get("band_height", 0.0)))
         if _HIGH_RISE in claims and draft.name in _MAY_BE_HIGH:
-            band = max(_MAY_BE_HIGH[draft.name], float(options.get("band_height", 0.0)))
+            least = max(_MAY_BE_HIGH[draft.name], float(options.get("band_height", 0.0)))
+            band = next((float(c.value) for c in claims if c.name == "waistband_cm"), least)
             options |= {"below_waist": -_ABOVE_WAIST_CM, "band_height": band}
         if _HIGH_RISE in claims and draft.name == "briefs":
             options["below_waist"] = 2.0
