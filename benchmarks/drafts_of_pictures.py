@@ -6,7 +6,8 @@ One picture of each garment is read (or a front and a back), the part of the bod
 drafted, and nothing is cut or compared with the picture: the first design that the programs accept. A row for
 each weight of what a picture shows of a parameter itself, beside what follows from its reading
 (`parameter_reader.SEEN`); with ``--again`` another after the second reading (`tailor.second_reading`). Edges
-and on: of the drafts with the right number of panels; "by name": of all.
+and on: of the drafts with the right number of panels; "by name": of all. ``--by-edges`` tells what panels
+with another number of edges than the true one cost, whose points are compared with those of other corners.
 """
 
 from __future__ import annotations
@@ -15,11 +16,15 @@ import argparse
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from machine import describe
 from swifttailor.data.reader import SplitReader
 from swifttailor.describing.measuring import measure_facts
 from swifttailor.errors import NothingSeenError
 from swifttailor.evaluation.maker.looks import LOOKS, LookPictures
+from swifttailor.evaluation.patterns.aipparel import aipparel_score
+from swifttailor.evaluation.patterns.panel_geometry import vertex_distance
 from swifttailor.evaluation.patterns.pattern_table import summarize_patterns
 from swifttailor.parameter_reader import reader
 from swifttailor.pattern import Pattern
@@ -54,6 +59,7 @@ def main() -> None:
     parser.add_argument("--limit", type=int, default=100, help="garments, from all over the split")
     parser.add_argument("--seen", type=float, nargs="+", default=[0.0, reader.SEEN])
     parser.add_argument("--again", action="store_true", help="also as they are after the second reading")
+    parser.add_argument("--by-edges", action="store_true", help="also by whether edges are as many")
     parser.add_argument("--weights", type=Path, help="another picture reader")
     parser.add_argument("--plain-reader-weights", type=Path, help="another one for plain pictures")
     parser.add_argument("--plain-neck-weights", type=Path, help="another one for necks of plain pictures")
@@ -73,7 +79,10 @@ def main() -> None:
         for name, second in {"": None, ", read again": again}.items():
             if second is None or options.again:
                 drafts = [draft(tailor, wanted, second) for _, wanted in shown]
-                print(f"seen {weight}{name}: {row(drafts, [pattern for pattern, _ in shown])}", flush=True)
+                patterns = [pattern for pattern, _ in shown]
+                print(f"seen {weight}{name}: {row(drafts, patterns)}", flush=True)
+                if options.by_edges:
+                    print(by_edges(drafts, patterns), flush=True)
 
 
 def read(tailor: Tailor, options: Any) -> list[tuple[Pattern, Wanted | None]]:
@@ -106,6 +115,33 @@ def row(drafts: list[Pattern | None], patterns: list[Pattern]) -> str:
     first = [f"{name} {means.aipparel[key].mean * by:.1f}" for key, (name, by) in SHOWN.items()]
     second = [f"{name} {means.by_name[key].mean * by:.1f}" for key, (name, by) in BY_NAME.items()]
     return f"{', '.join(first)}; by name {', '.join(second)}"
+
+
+def by_edges(drafts: list[Pattern | None], patterns: list[Pattern]) -> str:
+    """Distances of panels with as many edges as the true ones, and of the others; of stitches by garments."""
+    shapes: dict[bool, list[tuple[float, float]]] = {True: [], False: []}
+    stitches: dict[bool, list[float]] = {True: [], False: []}
+    garments = 0
+    for draft, pattern in zip(drafts, patterns, strict=True):
+        score = aipparel_score(draft, pattern)
+        if draft is None or score.stitches is None:
+            continue
+        garments += 1
+        pairs = list(zip(draft.panels, pattern.canonical().panels, strict=True))
+        alike = [len(made.edges) == len(true.edges) for made, true in pairs]
+        for (made, true), same in zip(pairs, alike, strict=True):
+            shapes[same].append((vertex_distance(made, true), 1.0 / len(pairs)))
+        stitches[all(alike)].append(score.stitches)
+    parts = []
+    for same, what in ((True, "as many edges"), (False, "other numbers of edges")):
+        distance, share = np.array(shapes[same]).reshape(-1, 2).T
+        mean, total = distance @ share / share.sum(), distance @ share / garments
+        parts.append(
+            f"panels with {what}: {share.sum() / garments:.1%}, vertices {mean:.1f} cm, {total:.2f} of all; "
+            f"garments with {'them alone' if same else 'one'}: {len(stitches[same])}, "
+            f"stitches {np.mean(stitches[same]):.1%}"
+        )
+    return "\n".join(parts)
 
 
 if __name__ == "__main__":
