@@ -215,7 +215,7 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
         [*words.sizes, f"{buttons_stated(text) or ''}", *[text[m.start : m.end] for m in heard]]
     )
     names = [m.words for m in measures if m.claim is not None]
-    unknown = [word for word in words.unknown if not _is_within(word, text, names)]
+    unknown = _unknown_elsewhere(words.unknown, text, names)
     unread = (
         *not_of_buttons(text, not_of_legs(text, unknown)),
         *[n for n in unread_numbers(text, changes) if n not in counted],
@@ -236,10 +236,20 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
     return Heard(text, sure, likely, never, unread, lacks, words, clashes=clashing_levels(text, words, named))
 
 
-def _is_within(word: str, text: str, spans: Sequence[tuple[int, int]]) -> bool:
-    """Whether a word stands nowhere but in what figures are said of."""
-    found = list(re.finditer(rf"(?<!\w){re.escape(word)}(?!\w)", text))
-    return bool(found) and all(any(start <= m.start() < end for start, end in spans) for m in found)
+def _unknown_elsewhere(unknown: Sequence[str], text: str, spans: Sequence[tuple[int, int]]) -> list[str]:
+    """Words that stand anywhere but in what figures are said of."""
+    inside = " ".join(text[start:end] for start, end in spans)
+    found = {word: _starts(word, text) for word in set(unknown) if word in inside}
+    within = {
+        word
+        for word, starts in found.items()
+        if starts and all(any(start <= at < end for start, end in spans) for at in starts)
+    }
+    return [word for word in unknown if word not in within]
+
+
+def _starts(word: str, text: str) -> list[int]:
+    return [m.start() for m in re.finditer(rf"(?<!\w){re.escape(word)}(?!\w)", text)]
 
 
 def _kind_named_alone(text: str, words: WordReading) -> list[Implication]:
