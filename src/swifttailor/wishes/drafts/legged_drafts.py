@@ -73,7 +73,7 @@ _OF_JERSEY: Mapping[Claim, NamedDraft] = {
 _WIDE_BAND, _WIDE_BANDS = Claim("waistband", "wide"), ("leggings", "flares", "jeans", "trousers", "joggers")
 _BROAD_CM = 10.5
 """Height of waistbands that are measured to be wide."""
-_HIGH_RISE = Claim("rise", "high")
+_HIGH_RISE, _WITHOUT_BAND = Claim("rise", "high"), Claim("waistband", "none")
 _MAY_BE_HIGH: Mapping[str, float] = {
     "trousers": 6.0,
     "pull-on-trousers": 4.0,
@@ -158,7 +158,7 @@ def _with_legs(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
             options |= _above_cuffs(options, claims)
         if _WIDE_BAND in claims and draft.name in _WIDE_BANDS:
             options["band_height"] = max(_BROAD_CM, float(options.get("band_height", 0.0)))
-        if _HIGH_RISE in claims and draft.name in _MAY_BE_HIGH:
+        if _HIGH_RISE in claims and draft.name in _MAY_BE_HIGH and _WITHOUT_BAND not in claims:
             least = max(_MAY_BE_HIGH[draft.name], float(options.get("band_height", 0.0)))
             band = next((float(c.value) for c in claims if c.name == "waistband_cm"), least)
             options |= {"below_waist": -_ABOVE_WAIST_CM, "band_height": band}
