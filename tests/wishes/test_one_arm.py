@@ -94,3 +94,17 @@ def test_closings_to_one_side_say_nothing_of_sides_and_sleeves(text):
     heard = (wish("sides", "different"), wish("sleeves", "unequal"), wish("collar", "stand"))
     kept = {w.change.claim.name for w in without_opposites(heard, words)}
     assert kept == {"collar"}
+
+
+@pytest.mark.parametrize(
+    ("text", "kept"),
+    [
+        ("longline cardigan, open", set()),
+        ("a blazer, worn open", set()),
+        ("a cardigan with an open back", {"back_depth"}),
+        ("a dress, open back", {"back_depth"}),
+    ],
+)
+def test_what_opens_in_front_is_open_there(text, kept):
+    heard = (wish("back_depth", "open"),)
+    assert {w.change.claim.name for w in without_opposites(heard, read_words(text))} == kept
