@@ -60,7 +60,7 @@ _LONGEST_BARE_CM = 64.0
 _SLIM, _DEEP = Claim("sleeve_shape", "slim"), Claim("cuffs", "deep")
 _SLIM_ARM = 3.5
 """Room around the arm of sleeves that are to be close, cm."""
-_SLIM_ENDS: Mapping[float, float] = {16.0: 31.0, 22.0: 30.0, 34.0: 27.0, 44.0: 24.0, 60.0: 20.0, 66.0: 20.0}
+_SLIM_ENDS: Mapping[float, float] = {16.0: 31.0, 22.0: 30.0, 34.0: 27.0, 44.0: 24.0, 60.0: 20.0, 71.0: 20.0}
 """Width around at their end, by their length, cm."""
 _PULLED_ON, _PULLED_ON_CM = "t-shirt", 41.0
 """What is pulled on has three-quarter sleeves so long that nobody calls them long."""
@@ -84,7 +84,7 @@ _LONG_WIDE = {"arm_ease": 18.0, "sleeve_shape": "wide"}
 """Of sleeves that are to be wide; long ones so wide all the way would turn around the wrists."""
 _SHORT_WIDE: Mapping[str, float | bool] = {"arm_ease": 10.0, "sleeve_end": 42.0, "cuffs": False}
 """Of short ones of shirts: cuffs would gather them, and wider tops fold over as puffed ones do."""
-_ENDS: Mapping[float, float] = {16.0: 33.0, 22.0: 33.0, 34.0: 31.0, 44.0: 28.0, 60.0: 24.0, 66.0: 28.0}
+_ENDS: Mapping[float, float] = {16.0: 33.0, 22.0: 33.0, 34.0: 31.0, 44.0: 28.0, 60.0: 24.0, 71.0: 28.0}
 """Width around at the end of plain sleeves of those lengths, cm."""
 _SHIRT_END = 34.0
 """The same of the short sleeves of shirts, which have no cuffs."""
