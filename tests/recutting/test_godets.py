@@ -40,7 +40,7 @@ def test_godets_let_in(name, sound):
     ],
 )
 def test_godets_of_another_number_and_size(step, sound):
-    before = alter(draft("gathered-skirt"), [gain("skirt", "godets")]).pattern
+    before = alter(draft("gathered-skirt", flare=0.0), [gain("skirt", "godets")]).pattern
     after = sound(before, alter(before, [step]))
     was, now = Cutter(before).facts.skirt, after.facts.skirt
     changed = {"godets": was.godets != now.godets, "godet width": was.godet_width != now.godet_width}
@@ -49,14 +49,14 @@ def test_godets_of_another_number_and_size(step, sound):
 
 
 def test_a_narrower_hem_keeps_the_godets(sound):
-    before = alter(draft("gathered-skirt"), [gain("skirt", "godets")]).pattern
+    before = alter(draft("gathered-skirt", flare=0.0), [gain("skirt", "godets")]).pattern
     after = sound(before, alter(before, [Step("skirt hem", -1)]))
     assert after.facts.skirt.godets == Cutter(before).facts.skirt.godets
 
 
 @pytest.mark.parametrize("count", [1, 3, 5])
 def test_taken_out_the_skirt_is_as_it_was(count):
-    before = Cutter(draft("gathered-skirt"))
+    before = Cutter(draft("gathered-skirt", flare=0.0))
     pattern = add_godets(before.pattern, before.hem_of(*SKIRT_PARTS), count, 20.0, 30.0)
     names = Cutter(pattern).names(Part.GODET)
     assert len(names) == 2 * count
@@ -69,7 +69,7 @@ def test_taken_out_the_skirt_is_as_it_was(count):
 
 
 def test_godets_too_high_or_too_many_do_not_fit():
-    before = Cutter(draft("gathered-skirt"))
+    before = Cutter(draft("gathered-skirt", flare=0.0))
     hem = before.hem_of(*SKIRT_PARTS)
     assert add_godets(before.pattern, hem, 40, 20.0, 30.0) is None
     assert add_godets(before.pattern, hem, 2, 20.0, 500.0) is None

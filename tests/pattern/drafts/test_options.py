@@ -21,7 +21,7 @@ def test_every_option_is_declared_in_full(info):
 
 
 def test_out_of_range_says_option_value_unit_and_range():
-    with pytest.raises(PatternError, match=r"'sleeve_length' must be 12 to 66 cm, got 300.*default 22"):
+    with pytest.raises(PatternError, match=r"'sleeve_length' must be 12 to 74 cm, got 300.*default 22"):
         draft("t-shirt", sleeve_length=300)
 
 
