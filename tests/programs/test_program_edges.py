@@ -41,7 +41,7 @@ def outline(edge):
     return [edge.start, *edge.points_inside(9), edge.end]
 
 
-def near(one, two, tolerance=1e-6):
+def near(one, two, tolerance=1e-5):  # points found by length are within some 1e-6 cm
     return all(math.dist(a, b) < tolerance for a, b in zip(one, two, strict=True))
 
 
