@@ -34,7 +34,7 @@ def reader():
         ("trousers, easy over the knee, narrow at the ankle", "trousers", {"leg_ease": 17.0}),
         ("trousers high enough at the back", "trousers", {"back_rise": 4.0}),
         ("cropped halter jumpsuit", "halter-jumpsuit", {"length": 84.0, "flare": -1.0}),
-        ("high leg one piece", "swimsuit", {"leg_height": 8.0}),
+        ("high leg one piece", "swimsuit", {"leg_height": 10.0}),
         ("cargo trousers with tie ankles", "joggers", {}),
     ],
 )
