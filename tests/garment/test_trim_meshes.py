@@ -131,7 +131,7 @@ def test_buttons_face_away_from_the_body(name):
         outward = middle * (1, 0, 1)
         assert facing @ outward > 0 and (facing[2] < 0) == (mesh.trim in ("back buttons", "back keyhole"))
         away = away_from_cloth(garment, mesh.vertices)
-        assert away.max() < 1.2 and away[-1] > 0.1
+        assert away.max() < 1.35 and away[-1] > 0.1  # on a band that lies over the other front
 
 
 @pytest.mark.parametrize("trim", ["tie belt", "buckle belt"])

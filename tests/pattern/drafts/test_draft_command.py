@@ -47,7 +47,7 @@ def test_list_as_json(capsys):
 def test_help_shows_every_option_with_unit_and_range(capsys):
     assert run_draft(["t-shirt", "--help"]) == 0
     shown = " ".join(capsys.readouterr().out.replace("│", " ").split())
-    assert "--sleeve-length" in shown and "12 to 66 cm" in shown and "(default: 22.0)" in shown
+    assert "--sleeve-length" in shown and "12 to 74 cm" in shown and "(default: 22.0)" in shown
 
 
 @pytest.mark.parametrize("arguments", [[], ["--nonsense"], ["t-shirt", "--sleeves", "3"]])

@@ -132,6 +132,7 @@ SHOULD_HAVE = {
     "elbow patches": ("blazer", "sweatshirt", "cardigan", "shirt", "coat"),
     "draped folds": ("fitted-dress", "fitted-skirt", "t-shirt"),
     "princess seams": ("fitted-dress", "skater-dress", "strapless-dress", "blazer"),
+    "princess panels": ("skater-dress", "fitted-dress"),
     "yoke": ("shirt", "t-shirt", "fitted-skirt", "circle-skirt", "jeans"),
     "waist frill": ("pull-on-trousers", "trousers", "gathered-skirt", "circle-skirt"),
     "scalloped edge": ("t-shirt", "trousers", "circle-skirt", "peplum-top"),
@@ -174,7 +175,6 @@ SHOULD_HAVE = {
     "hoops": ("gathered-skirt", "circle-skirt", "strapless-dress"),
     "side tie": ("wrap-top", "wrap-dress", "wrap-jumpsuit", "t-shirt", "cardigan"),
     "kick pleat": ("fitted-skirt", "fitted-dress"),
-    "princess panels": ("skater-dress", "fitted-dress"),
     "collar buttons": ("shirt", "polo-shirt"),
     "back yoke": ("shirt", "t-shirt", "shirt-dress"),
 }
@@ -455,7 +455,7 @@ def test_never_raises_for_known_patterns(garmentcode_folder):
         if number % 5 == 0:
             alone = {name for name in TRIMS if place_trims(replace(pattern, trims=(name,)))}
             assert alone == {trim.trim for trim in trims}
-    assert found == set(TRIMS)
+    assert found == set(TRIMS) - {"collar buttons"}, "GarmentCode's collars have no points"
 
 
 def test_never_raises_for_patterns_of_other_names(shipped_patterns, square_pattern):

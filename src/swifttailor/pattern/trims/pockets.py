@@ -177,8 +177,8 @@ def bib_pocket(chalk: Chalk, name: str) -> list[Trim]:
     return pieces
 
 
-_ON_SKIRT = 0.5
-"""Half the width of an opening there, whose folds hide finer ones, cm."""
+_FINE, _ON_SKIRT = 0.28, 0.5
+"""Half the width of an opening, and of one in a skirt, whose folds hide finer ones, cm."""
 _FROM_MIDDLE, _OPENING = 0.55, 16.0
 """Where openings in a skirt begin at the waist, as a part of the way to the side seam, at most; and how far
 down that they end, cm."""
@@ -198,14 +198,16 @@ def slant_pockets(chalk: Chalk, name: str) -> list[Trim]:
         if waist_end is None or low_end is None or (skirt and not chalk.is_even(view, top - 1.0)):
             return []
         begin = waist_end - sign * 6.5 * chalk.size
-        last = (low_end - sign * 0.5, top - 16 * chalk.size)
+        ends = [(begin, (low_end - sign * 0.5, top - 16 * chalk.size), _FINE)]
         if skirt:  # of a flared one that is hidden at the side: it begins where it is seen from the front
             corner = _upper_corner(view, sign)
             begin = sign * min(abs(begin), _FROM_MIDDLE * abs(corner[0]))
-            last = _down_the_side(chalk, view, sign, corner) or last
-        first = (begin, chalk.top_at(view, begin) - 0.5)
-        middle = ((first[0] + last[0]) / 2 - sign * 0.5, (first[1] + last[1]) / 2 - 0.5)
-        found = chalk.line(name, panel, [first, middle, last], width=_ON_SKIRT if skirt else 0.28)
+            ends.insert(0, (begin, _down_the_side(chalk, view, sign, corner) or ends[0][1], _ON_SKIRT))
+        found: list[Trim] = []
+        for begin, last, width in ends:
+            first = (begin, chalk.top_at(view, begin) - 0.5)
+            middle = ((first[0] + last[0]) / 2 - sign * 0.5, (first[1] + last[1]) / 2 - 0.5)
+            found = found or chalk.line(name, panel, [first, middle, last], width=width)
         if not found:
             return []
         pieces += found
