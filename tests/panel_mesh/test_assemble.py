@@ -122,7 +122,7 @@ def plain_coincident_edges(mesh):
     ]
 
 
-@pytest.mark.parametrize("name", ["jumpsuit", "hoodie"])
+@pytest.mark.parametrize("name", ["trousers", "hoodie"])
 def test_edges_that_welding_folds_together_are_found_and_parted(name, monkeypatch):
     seen = []
     find = assemble._coincident_inner_edges
