@@ -41,6 +41,7 @@ _FILES = {
     "persons_after": WORDS / "fresh" / "edits_persons_after.jsonl",
     "one": WORDS / "fresh" / "edits_of_one.jsonl",
     "rehearsal": WORDS / "rehearsal" / "edits.jsonl",
+    "in_passing": WORDS / "fresh" / "edits_in_passing.jsonl",
 }
 _STAYS_CM = 2.0
 """What is to stay may move by so much."""
