@@ -354,4 +354,5 @@ def _usual_pockets(kind: str, cloth: str | None, draft: str) -> tuple[tuple[str,
         return (("patch pockets",),) if cloth == _DENIM else (("slant pockets",), ("side pockets",))
     if draft in ("blazer", "coat", "waistcoat"):
         return (("welt pockets",), ("patch pockets",))
-    return (("patch pockets",), ("welt pockets",), ("chest pocket",))
+    others = () if draft == _OPEN_KNIT else (("chest pocket",),)
+    return (("patch pockets",), ("welt pockets",), *others)
