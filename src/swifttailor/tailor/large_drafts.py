@@ -7,7 +7,6 @@ again around the bust sleeves would be 10 cm longer, and necks would slip from t
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 
 import numpy as np
 
@@ -20,6 +19,7 @@ from swifttailor.errors import SwiftTailorError
 from swifttailor.pattern import Pattern
 from swifttailor.recutting.alter import alter
 from swifttailor.tailor.answer import Answer
+from swifttailor.tailor.redrafted import redrafted
 
 _LARGE = 1.2
 """Times the bust of the default body."""
@@ -50,12 +50,9 @@ def drafted_for_large(answer: Answer, body: Body) -> Pattern | None:
         hung = facts.kind in _HUNG and facts.torso is not None and facts.left_sleeve is not None
         if not hung and begun.name not in _CLOSE_LEGS:
             return None
-        made = begun.made_for(body.measurements)
-        if [panel.name for panel in made.panels] != [panel.name for panel in answer.pattern.panels]:
+        pattern = redrafted(answer.pattern, begun.made_for(body.measurements), body)
+        if pattern is None:
             return None
-        pattern = replace(
-            answer.pattern, panels=made.panels, stitches=made.stitches, drafted_for=body.made_for
-        )
         gains = [w.change for w in wanted.wishes if isinstance(w.change, Gain)]
         gains = [gain for gain in gains if gain.holds(facts, facts)]
         if not _is_as_drafted(answer.pattern, begun.made_for(None)):

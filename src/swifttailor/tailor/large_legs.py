@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from swifttailor.body import Body
 from swifttailor.pattern import Pattern
 from swifttailor.tailor.answer import Answer
+from swifttailor.tailor.redrafted import redrafted
 
 _WIDE_HIPS = 1.15
 """Times the hips of the default body."""
@@ -25,7 +24,4 @@ def legs_for_large(answer: Answer, body: Body) -> Pattern | None:
         return None
     if body.measurements.hips <= _WIDE_HIPS * Body.default().measurements.hips:
         return None
-    made = begun.as_long_on(body.measurements)
-    if [panel.name for panel in made.panels] != [panel.name for panel in answer.pattern.panels]:
-        return None
-    return replace(answer.pattern, panels=made.panels, stitches=made.stitches, drafted_for=body.made_for)
+    return redrafted(answer.pattern, begun.as_long_on(body.measurements), body)

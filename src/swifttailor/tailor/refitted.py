@@ -12,6 +12,7 @@ from swifttailor.pattern import Pattern
 from swifttailor.tailor.answer import Answer
 from swifttailor.tailor.large_drafts import drafted_for_large
 from swifttailor.tailor.large_legs import legs_for_large
+from swifttailor.tailor.redrafted import redrafted
 from swifttailor.tailor.room_for_necks import with_room_for_the_neck
 
 _LARGE, _SHORT_CM = 1.3, 30.0
@@ -86,9 +87,4 @@ def _is_better_anew(answer: Answer, body: Body) -> bool:
 def _drafted_anew(answer: Answer, body: Body) -> Pattern | None:
     """The draft of an answer, made for a body; None where there is none with the same panels."""
     begun = answer.drafted
-    if begun is None:
-        return None
-    made = begun.made_for(body.measurements)
-    if [panel.name for panel in made.panels] != [panel.name for panel in answer.pattern.panels]:
-        return None
-    return replace(answer.pattern, panels=made.panels, stitches=made.stitches, drafted_for=body.made_for)
+    return None if begun is None else redrafted(answer.pattern, begun.made_for(body.measurements), body)
