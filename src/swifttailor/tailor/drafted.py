@@ -9,6 +9,7 @@ from typing import Any
 
 from swifttailor.errors import InputError
 from swifttailor.pattern import Pattern
+from swifttailor.pattern.drafts.draft_kinds import DRAFT_KINDS
 from swifttailor.pattern.drafts.draft_names import ARMHOLE, NamedDraft
 from swifttailor.pattern.drafts.measurements import DraftMeasurements, Measurements
 from swifttailor.pattern_maker.maker import WrittenPattern
@@ -91,7 +92,7 @@ class DraftCandidate:
         usual = DraftMeasurements().armscye_depth
         thicker = 1.0 if measurements is None else measurements.armscye_depth / usual
         ends = [field for field in find_draft(self.name).options if field.name == _SLEEVE_END]
-        if thicker <= _THICKER or not ends:
+        if thicker <= _THICKER or not ends or DRAFT_KINDS[self.name] != "top":
             return {}
         return {_SLEEVE_END: thicker * float(dict(self.draft.options).get(_SLEEVE_END, ends[0].default))}
 

@@ -27,8 +27,8 @@ _OVER_BELLIES_CM, _VERY_LARGE = 4.0, 1.5
 """By how much longer tops are for those who are so much larger: a belly takes up length in front."""
 _SEEN_CM = 1.5
 _ENDS = frozenset({"skirt_hem", "top_hem", "leg_hem"})
-_HUNG = ("top", "dress")
-"""Kinds of garments that hang from the shoulders."""
+_HUNG = ("top",)
+"""Kinds of garments that hang from the shoulders; dresses that are drafted so catch the arms as they fall."""
 _CLOSE_LEGS = ("leggings", "jeans")
 """Whose ends would be as wide beside the ankles as thighs are beside those of the default body."""
 

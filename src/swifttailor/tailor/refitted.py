@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-import numpy as np
-
 from swifttailor.body import Body
 from swifttailor.errors import SwiftTailorError
 from swifttailor.pattern import Pattern
@@ -17,7 +15,8 @@ from swifttailor.tailor.room_for_necks import with_room_for_the_neck
 
 _LARGE, _SHORT_CM = 1.3, 30.0
 """Times the bust of the default body; sleeves, shoulder tip to end."""
-_CLOSED_CM, _TRIANGLE = 0.05, 3
+_COARSE_CM = 4.0
+"""Edges of the mesh that tells whether there is one, cm."""
 
 
 def refitted(answer: Answer, body: Body) -> Answer:
@@ -26,14 +25,13 @@ def refitted(answer: Answer, body: Body) -> Answer:
     Sleeves that are cut in one with the body would grow as the trunk does and point past the arms, and short
     ones of very large bodies would grow by a third and fold under on the shoulders: where nothing else was
     cut, such a pattern is drafted anew. So are tops and legs for large bodies (`large_drafts`, `large_legs`),
-    and what has a panel that crosses itself when it is refitted, as where a dart closes; lengths that are
-    asked for are cut again afterwards (`lengths_kept`).
+    and what cannot be meshed when it is refitted, since a dart closes; lengths that are asked for are cut
+    again afterwards (`lengths_kept`).
 
     Raises:
         SwiftTailorError: Its pattern cannot be sewn, or the body cannot be measured.
     """
     from swifttailor.refitting.refitted import fit
-    from swifttailor.refitting.uncrossed import damaged
 
     if body.made_for is not None and answer.pattern.drafted_for == body.made_for:
         return answer
@@ -43,8 +41,8 @@ def refitted(answer: Answer, body: Body) -> Answer:
     if pattern is None:
         roomy = with_room_for_the_neck(answer.pattern, body)
         grown = fit(roomy, body)
-        unsound = damaged(roomy, grown) or _has_closed_darts(grown)
-        anew = _drafted_anew(answer, body) if unsound else None
+        # Small crossings are repaired when it is sewn, and fall better than what is drafted anew.
+        anew = None if _can_be_meshed(grown) else _drafted_anew(answer, body)
         pattern = anew or _levelled(grown, answer.pattern)
     return replace(answer, pattern=pattern, prepared=None, fitted_to=body.name)
 
@@ -70,10 +68,15 @@ def _outgrows_short_sleeves(pattern: Pattern, body: Body) -> bool:
     return len(sleeves) == 2 and all(one.length <= _SHORT_CM for one in sleeves)
 
 
-def _has_closed_darts(pattern: Pattern) -> bool:
-    """Whether both legs of a dart lie on each other, so that its panel cannot be meshed."""
-    corners = [panel.vertices for panel in pattern.panels if len(panel.vertices) > _TRIANGLE]
-    return any(np.linalg.norm(one - np.roll(one, -2, axis=0), axis=1).min() < _CLOSED_CM for one in corners)
+def _can_be_meshed(pattern: Pattern) -> bool:
+    """Whether it can: not where both legs of a dart lie on each other."""
+    from swifttailor.panel_mesh import mesh_pattern
+
+    try:
+        mesh_pattern(pattern, _COARSE_CM)
+    except SwiftTailorError:
+        return False
+    return True
 
 
 def _is_better_anew(answer: Answer, body: Body) -> bool:
