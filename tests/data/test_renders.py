@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -63,6 +64,15 @@ def test_the_cloth_is_seen_from_the_front_and_the_back(dress):
         green = picture[:, :, 1].astype(int) - picture[:, :, [0, 2]].max(axis=2)
         assert 0.12 < (green > 25).mean() < 0.6
         np.testing.assert_array_equal(picture, draw_look(dress, body, look, 64))
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_small_pictures_show_the_body_as_large_ones_do(dress, seed, monkeypatch):
+    look = random_look(np.random.default_rng(seed), "front")
+    look = replace(look, body=(0.6, 0.4, 0.3), view=replace(look.view, whole_body=True))
+    small = draw_look(dress, Body.default(), look, 128).astype(int)
+    monkeypatch.setattr("swifttailor.looks.draw._COARSE_CM", np.inf)
+    assert (np.abs(small - draw_look(dress, Body.default(), look, 128)).max(axis=2) > 16).mean() < 0.01
 
 
 def test_garments_alone_fill_the_picture(dress):

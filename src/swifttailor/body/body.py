@@ -132,6 +132,19 @@ class Body:
         read = fit_body(points, triangles, measurements or {}, _default_body(), name=name, source=name)
         return Body(read.name, read.vertices, read.faces, read.vertex_part, read.measurements)
 
+    @functools.cached_property
+    def extent(self) -> Array:
+        """(2, 3) least and most of the vertices, cm."""
+        rows = np.ascontiguousarray(self.vertices.T)  # several times faster than along the columns
+        return np.stack([rows.min(axis=1), rows.max(axis=1)])
+
+    @functools.cached_property
+    def coarse(self) -> tuple[Array, Array]:
+        """Vertices (n, 3) and faces (m, 3) for pictures whose pixels show a centimetre, see `coarse_body`."""
+        from swifttailor.body.coarse_body import coarse_body
+
+        return coarse_body(self.vertices, self.faces, _default_body().faces)
+
     def distance_field(
         self,
         spacing: float = 1.0,
