@@ -11,6 +11,8 @@ from numpy.typing import NDArray
 
 from swifttailor.arrays import Array
 from swifttailor.body.body import Body
+from swifttailor.body.measuring import arm_axis
+from swifttailor.body.parts import ARMS
 
 UNIT_CM = 0.01
 """Of the numbers in the file."""
@@ -52,12 +54,25 @@ def mannequin(body: Body, cloth: Array | None = None) -> tuple[Array, Array]:
         return made.vertices, made.faces
     from scipy.spatial import KDTree
 
+    from swifttailor.body.hands_in_sleeves import hands_in_sleeves
+
     filled = np.flatnonzero(made.over > 0.0)
     away, _ = KDTree(cloth).query(made.vertices[filled], distance_upper_bound=_FAR_CM)
     share = np.clip((_FAR_CM - away) / (_FAR_CM - _NEAR_CM), 0.0, 1.0)
     vertices = made.vertices.copy()
     vertices[filled] -= (share * made.over[filled])[:, None] * made.normals[filled]
-    return vertices, made.faces
+    return hands_in_sleeves(vertices, cloth, _arms(body)), made.faces
+
+
+@functools.lru_cache(maxsize=4)
+def _arms(body: Body) -> list[tuple[Array, Array, float]]:
+    """Joint, direction and length of each arm, see `hands_in_sleeves`."""
+    found = []
+    for part in sorted(ARMS):
+        joint, axis = arm_axis(body.vertices, body.faces, body.vertex_part, part)
+        along = (body.vertices[body.vertex_part == part] - joint) @ axis
+        found.append((joint, axis, float(along.max())))
+    return found
 
 
 def _under_cloth(surface: Array, body: Body, cloth: Array) -> Array:
