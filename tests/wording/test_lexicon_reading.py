@@ -547,3 +547,16 @@ def test_what_was_dropped_silently_is_told(text, what):
 def test_close_cloth_makes_no_jumpsuit_of_leggings(text, kinds):
     found = read_words(text).implications
     assert {i.claim.value for i in found if i.claim.name == "kind"} == kinds
+
+
+@pytest.mark.parametrize(
+    ("text", "shape"),
+    [
+        ("long dress, puffed sleeves to the elbow, gathered skirt", "puffed"),
+        ("wide sleeves to the elbow, pencil skirt", "wide"),
+        ("puffed sleeves below the elbow, full skirt", "puffed"),
+    ],
+)
+def test_what_stands_before_sleeves_is_said_of_them_wherever_they_end(text, shape):
+    assert f"sleeve_shape={shape}" in said(text)
+    assert "puffball" not in cannot(text)

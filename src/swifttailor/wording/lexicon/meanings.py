@@ -47,6 +47,8 @@ _PART_OF = {
 }
 """Kinds that are a part of others: "a dress with a wide skirt"."""
 
+_WHERE = frozenset(["to", "at", "above", "below", "past"])
+"""What goes on to say where a part ends: "sleeves to the elbow" are sleeves."""
 _HEMS = frozenset({"skirt_hem", "top_hem", "leg_hem"})
 _REACH = 80
 """No word is said of one that stands further off: long texts take time in proportion to their length."""
@@ -128,8 +130,11 @@ def _part(word: Found, senses: tuple[Sense, ...], known: Vocabulary) -> str | No
     if not senses or senses[0].entry.category in WORN or senses[0].entry.category in _SIZELESS:
         return None
     own = next((s.entry.part for s in senses if s.entry.part is not None), None)
-    last = word.word.rpartition(" ")
-    return own if own is not None or not last[0] else known.part(last[2])
+    if own is not None or " " not in word.word:
+        return own
+    parts = word.word.split()
+    far = next((n for n, each in enumerate(parts) if n and each in _WHERE), len(parts))
+    return known.part(parts[far - 1])
 
 
 def _first_choice(word: Found, dialect: Dialect | None) -> tuple[Sense, ...]:
