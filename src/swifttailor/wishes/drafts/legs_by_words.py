@@ -72,7 +72,8 @@ _SEVEN_EIGHTHS = re.compile(
 )
 """Legs that end a hand above the ankle bone, higher than ankle length does."""
 _CROPPED = re.compile(
-    r"(?<!\w)(?:crop(?:ped)?|ankle[- ]swinging|half[- ]mast)(?!\w)(?! (?:jacket|top|tee|cardigan|sleeve))",
+    r"(?<!\w)(?<!not )(?<!n't )(?<!never )(?<!nor )(?<!non-)"
+    r"(?:crop(?:ped)?|ankle[- ]swinging|half[- ]mast)(?!\w)(?! (?:jacket|top|tee|cardigan|sleeve))",
     re.I,
 )
 _SLIGHTLY, _SLIGHTLY_CM = re.compile(r"(?<!\w)(?:slightly|a (?:little|bit|touch)|just) cropped", re.I), 91.0
