@@ -316,3 +316,11 @@ def test_cushions_that_are_drawn_have_the_lines_of_quilting():
     cushions = ClothPrint("motif", ("#111725", "#1f2a44", "#2d3d62"), {"repeat": 34.0}, CUSHIONS)
     assert trim_surfaces(garment) and not trim_surfaces(replace(garment, print=cushions))
     assert trim_surfaces(replace(garment, print=cushions), "#ab252e"), "in another colour nothing is printed"
+
+
+@pytest.mark.parametrize(
+    ("color", "copper"), [("#3b5578", True), ("#a9c3dc", True), ("#18181b", False), ("#f7f5ef", False)]
+)
+def test_stitches_are_of_copper_on_blue_denim_alone(color, copper):
+    red, _, blue = trim_color(replace(worn("jeans"), color=color), "dark", trim="topstitching")
+    assert (red > 2.0 * blue) == copper

@@ -54,7 +54,7 @@ ASKED = {
     "a dress with pockets and without a back zip": {"slant pockets"},
     "a shirt dress with a belt": {"button placket", "tie belt"},
     "a bathrobe": {"tie belt", "patch pockets"},
-    "dungarees": {"bib pocket", "slant pockets", "strap buckles", "topstitching"},
+    "dungarees": {"bib pocket", "slant pockets", "back pockets", "strap buckles", "topstitching"},
     "a skirt with patch pockets": {"patch pockets"},
     "a t-shirt with a breast pocket": {"chest pocket", "neck rib"},
     "a plain t-shirt": {"neck rib"},

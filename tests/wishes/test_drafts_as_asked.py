@@ -120,7 +120,7 @@ SLITS = [Claim("slit", "left"), Claim("slit", "right")]
         (
             "swimsuit",
             [Claim("back_depth", "low")],
-            "bodysuit(stretch=8;sleeves=false;armhole_drop=2;back_neck_depth=30;neck_widening=4.5;neck_depth=15)",
+            "bodysuit(stretch=14;sleeves=false;armhole_drop=2;back_neck_depth=30;neck_widening=4.5;neck_depth=15)",
         ),
         ("swimsuit", [Claim("back_depth", "low"), THIN], "swimsuit"),
         (
@@ -136,7 +136,7 @@ SLITS = [Claim("slit", "left"), Claim("slit", "right")]
         (
             "swimsuit",
             [Claim("neckline", "square")],
-            "bodysuit(stretch=8;sleeves=false;armhole_drop=2;back_neck_depth=14;neckline=square;neck_widening=5;neck_depth=15)",
+            "bodysuit(stretch=14;sleeves=false;armhole_drop=2;back_neck_depth=14;neckline=square;neck_widening=5;neck_depth=15)",
         ),
         (
             "off-shoulder-top(length=20)",

@@ -194,3 +194,25 @@ def test_names_of_legs_mean_their_shapes(text, begun, reader):
     assert heard.drafts[0] == NamedDraft.parse(begun)
     flared = any("flared" in str(wish.change) for wish in heard.sure)
     assert flared == (text == "bell bottoms")  # bootcut legs are not to be cut as wide as the thigh
+
+
+@pytest.mark.parametrize(
+    "text", ["jeans, not cropped", "trousers that aren't cropped", "not flared nor cropped"]
+)
+def test_legs_that_are_not_to_be_cropped_stay_as_long(text):
+    assert length(legs_as_said(TROUSERS, text, (), ())) == 100.0
+
+
+@pytest.mark.parametrize(
+    ("text", "slight"),
+    [
+        ("white jeans, slight kick flare", True),
+        ("slightly flared trousers", True),
+        ("trousers with a subtle flare", True),
+        ("flared trousers", False),
+        ("flares with slightly flared sleeves", False),
+    ],
+)
+def test_slight_flares_flare_less(text, slight):
+    made = dict(legs_as_said(NamedDraft("flares", (("flare", 32.0),)), text, (), ()).options)
+    assert (made["flare"] < 20.0) == slight

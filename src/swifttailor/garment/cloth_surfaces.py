@@ -12,6 +12,7 @@ from swifttailor.garment.cloth_color import cloth_color
 from swifttailor.garment.cloth_print import cloth_at
 from swifttailor.garment.collar_lines import is_of_collar, seams_within_collars
 from swifttailor.garment.double_breasted import seams_under_a_front
+from swifttailor.garment.needless_seams import darts_in_yokes, seams_of_knits
 from swifttailor.garment.princess_lines import seams_in_princess_seams
 from swifttailor.garment.trim_colors import DARKEST, is_dark
 from swifttailor.pattern.centre_seams import needless_centre_seams
@@ -283,6 +284,7 @@ def _seam_edges(garment: Garment, as_worn: bool) -> Array:
         needless = frozenset(needless) | seams_within_collars(garment.pattern)
         needless |= seams_under_a_front(garment.pattern)
         needless |= seams_in_princess_seams(garment.pattern)
+        needless |= seams_of_knits(garment.pattern) | darts_in_yokes(garment.pattern)
     parts = [
         np.stack([s.vertices[:-1], s.vertices[1:]], axis=1)
         for s in garment.seams

@@ -25,6 +25,7 @@ _KEEPS_TO = 0.002
 _WAISTED = 0.97
 """Cloth whose girth at its narrowest is less than this part of what is above and below has a waist."""
 _TAIL, _KNOT = 26.0, 2.2
+_BANDS = ("wb_front", "wb_back")
 _TIED_BEHIND = ("sash", "apron", "side tie")
 """Bands whose bow is marked elsewhere than in front."""
 _BESIDE_CM = 0.22
@@ -34,7 +35,9 @@ _BESIDE_CM = 0.22
 def belt_meshes(garment: Garment, belt: Belt) -> list[TrimMesh]:
     """A band stretched around the cloth at its height, with what closes it in front."""
     heights = belt_height(garment, belt) + belt.width * np.array([-0.5, 0.0, 0.5])
-    if belt.reach:  # cloth that is tied stands out above and below, and the belt does not
+    if _is_on_band(garment):  # gathers below it stand out, and the belt does not
+        rings = [_around(garment, height, _BEYOND_CM, within=heights[[0, -1]]) for height in heights]
+    elif belt.reach:  # cloth that is tied stands out above and below, and the belt does not
         rings = [_around(garment, heights[1], 0.5 * belt.width + _BEYOND_CM)] * len(heights)
     else:
         rings = [_around(garment, height) for height in heights]
@@ -146,10 +149,31 @@ def _knot(garment: Garment, belt: Belt, front: Array) -> list[TrimMesh]:
     return [*pieces, TrimMesh(belt.trim, "cloth", *knot, np.zeros((0, 2), int))]
 
 
-def _around(garment: Garment, height: float, near_by: float = _BELT_REACH) -> Array | None:
-    """(`_BELT_SIDES`, 2) x and z of what is stretched around the cloth of the trunk near to a height, cm."""
-    points = garment.flat_positions[around_trunk(garment)]
-    near = points[np.abs(points[:, 1] - height) <= near_by][:, [0, 2]]
+def _is_on_band(garment: Garment) -> bool:
+    """Whether the waist is a waistband, from which all else hangs."""
+    names = {panel.name for panel in garment.pattern.panels}
+    return names.issuperset(_BANDS) and not any("torso" in name for name in names)
+
+
+def _around(
+    garment: Garment, height: float, near_by: float = _BELT_REACH, *, within: Array | None = None
+) -> Array | None:
+    """(`_BELT_SIDES`, 2) x and z of what is stretched around the cloth near to a height, cm.
+
+    Args:
+        garment: Any garment.
+        height: Above the floor, cm.
+        near_by: How far up and down the cloth may be, cm.
+        within: The cloth of the waistband between these two heights counts as well.
+    """
+    trunk = around_trunk(garment)
+    points = garment.flat_positions
+    own = trunk & (np.abs(points[:, 1] - height) <= near_by)
+    if within is not None:
+        numbers = [garment.mesh.pattern.panel_index(panel) for panel in _BANDS]
+        level = (points[:, 1] >= within.min()) & (points[:, 1] <= within.max())
+        own |= level & np.isin(garment.mesh.flat_panel, numbers)
+    near = points[own][:, [0, 2]]
     if len(near) < 8:
         return None
     try:

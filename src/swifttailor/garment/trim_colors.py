@@ -56,7 +56,7 @@ _IN_ANOTHER: Mapping[str, tuple[str, str]] = {
     "toggles": ("#ecdcbc", "#5b3d26"),
     "chest heart": ("#d8404f", "#c22f40"),
     "chest star": ("#f0c94a", "#e2a92c"),
-    **dict.fromkeys(("topstitching", "denim seams"), ("#c98d47", "#b57a34")),
+    "denim seams": ("#c98d47", "#b57a34"),
     "hem border": ("#d3a94c", "#b98a2e"),
     "blouse front": ("#f7f5ef", "#f7f5ef"),
     "illusion yoke": ("#cdc5bb", "#d6cdc2"),
@@ -75,6 +75,11 @@ _SOFT = (
     "bust gathers",
 )
 """Folds of the cloth itself, which are shades and no stitches."""
+_STITCHES, _BLUE = "topstitching", 1.15
+"""Stitches are of copper on denim whose blue is so many times its red; on other colours of its own shade."""
+_COPPER, _COPPER_ON_LIGHT = "#c98d47", "#b57a34"
+_STITCHED_DARKER, _STITCHED_LIGHTER = 0.6, 0.05
+"""How light they are beside cloth of another colour, and by how much lighter than dark cloth, in light."""
 _UNDYED, _PALE = "#f1efe9", 0.62
 """Threads inside of cloth, and how much of their colour shows where it is worn."""
 _RIBS = ("neck rib", "armhole ribs", "hem rib", "knit bands", "folded band")
@@ -120,6 +125,8 @@ def trim_color(
         below = "" if trim in _OF_THE_WHOLE else panel
         ground = (color_of_panel(garment, below) if below else None) or ground
     cloth = np.maximum(to_linear(ground), DARKEST)
+    if trim == _STITCHES:
+        return _stitches_on(cloth)
     if trim in _IN_ANOTHER:  # or nobody would see it
         pale, deep = _IN_ANOTHER[trim]
         return to_linear(pale if float(cloth @ GREY) < _LIGHT else deep)
@@ -142,6 +149,14 @@ def trim_color(
     if look == "leather" and is_dark(cloth) and float(np.ptp(cloth)) < _GREYISH:
         return to_linear(_BLACK_LEATHER)
     return to_linear(_COLORS[look])
+
+
+def _stitches_on(cloth: Array) -> Array:
+    """(3,) linear light of the stitches on denim of a colour (3,): copper on blue alone, as in shops."""
+    grey = float(cloth @ GREY)
+    if float(cloth[2]) > _BLUE * float(cloth[0]):
+        return to_linear(_COPPER if grey < _LIGHT else _COPPER_ON_LIGHT)
+    return cloth + _STITCHED_LIGHTER if grey < DARK else _STITCHED_DARKER * cloth
 
 
 def _own_color(garment: Garment, look: str, trim: str) -> str | None:

@@ -35,6 +35,7 @@ _HANGS = 0.7
 """How much of a strip's direction is down, of one that hangs."""
 _STANDS_OUT = 0.6
 """How much of that of a frill around the neck is away from the body."""
+_STRIPES = "stripes"
 _LACES = ("lace trim", "neck lace")
 _SCALLOPS, _SCALLOP_WIDTH = "scalloped edge", 5.0
 """A border of arcs alone, and how wide they are, cm."""
@@ -78,6 +79,8 @@ def frill_meshes(garment: Garment, frill: Frill) -> list[TrimMesh]:
             vertices = _laid_on(garment, {ref.panel for ref in frill.edges}, vertices)
             if frill.trim == KNIT_BANDS:
                 lines = np.concatenate([lines, _ribs_across(len(line))])
+            if frill.trim.endswith(_STRIPES):
+                vertices, faces = _brought_down(vertices, faces, normals)
             found.append(TrimMesh(frill.trim, "cloth", vertices, faces, lines))
             continue
         if frill.trim == "shoulder frills":
@@ -94,6 +97,25 @@ def frill_meshes(garment: Garment, frill: Frill) -> list[TrimMesh]:
         vertices, faces, lines = make(line, ways, normals, frill.depth)
         found.append(TrimMesh(frill.trim, "cloth", vertices, faces, lines))
     return found
+
+
+def _brought_down(vertices: Floats, faces: Ints, normals: Floats) -> tuple[Floats, Ints]:
+    """A flat strip with its long borders brought down to the cloth: seen edge on, it would stand off it.
+
+    Args:
+        vertices: (m n, 3) of its rows of n columns.
+        faces: Of the strip.
+        normals: (n, 3) of the cloth at each column.
+    """
+    count, low = len(normals), (_FLAT_LIFT + _LIFT) * normals
+    rows = vertices[:count], vertices[-count:]
+    tops = np.arange(count), np.arange(len(vertices) - count, len(vertices))
+    found = [faces]
+    for k, top in enumerate(tops):
+        below = len(vertices) + k * count + np.arange(count)
+        quads = np.stack([top[:-1], top[1:], below[1:], below[:-1]], axis=-1)
+        found += [quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]]
+    return np.concatenate([vertices, *[row - low for row in rows]]), np.concatenate(found).astype(np.int32)
 
 
 def _ribs_across(count: int) -> Ints:

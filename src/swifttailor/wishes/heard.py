@@ -40,7 +40,7 @@ from swifttailor.wording.lexicon import (
 
 _COLOR_OF_CLOTH = {"denim": "3b5578"}
 """What a fabric is dyed unless another colour than blue is named."""
-_BLUE = "365c96"
+_BLUE, _DARK_BLUE, _DARK_DENIM = "365c96", "1d2f5e", "263853"
 _NEAR = 30.0
 """The same of a colour that was seen, in Lab: "red" is dark red and scarlet as well."""
 
@@ -93,6 +93,8 @@ class Heard:
         dyed = _COLOR_OF_CLOTH.get(self.cloth or "")
         if rgb is None or (dyed is not None and rgb == _BLUE):
             rgb = dyed or rgb
+        if dyed is not None and rgb == _DARK_BLUE:
+            rgb = _DARK_DENIM
         return None if rgb is None else f"#{rgb}"
 
     @property
@@ -209,6 +211,7 @@ class Heard:
             return ()
         inks = () if self.print is None else self.print.colors
         blue = [f"#{_BLUE}"] if self.color == f"#{_COLOR_OF_CLOTH.get(self.cloth or '')}" else []
+        blue += [f"#{_DARK_BLUE}"] if self.color == f"#{_DARK_DENIM}" else []
         shown = [
             self.color,
             *blue,

@@ -6,12 +6,13 @@ import math
 from dataclasses import dataclass
 
 from swifttailor.pattern.drafts import darted_block
-from swifttailor.pattern.drafts.bodice import BACK_Z, FRONT_Z, HEM_BALANCE, SIDE_MINIMUM
+from swifttailor.pattern.drafts.bodice import BACK_Z, FRONT_Z, HEM_BALANCE, SIDE_MINIMUM, ribs_at
 from swifttailor.pattern.drafts.bust_dart import draw_side_with_bust_dart
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure, Halves
 from swifttailor.pattern.drafts.neckline import Neckline, draw_neckline
 from swifttailor.pattern.drafts.outline import Dart, Outline
+from swifttailor.pattern.drafts.side_seam import as_long, runs_back, side_length
 from swifttailor.pattern.drafts.suppression import dart_places, suppress
 
 FRONT_LIFT = 0.6
@@ -28,6 +29,8 @@ _CLOSER = 4.5
 """How much narrower each half of a fitted back is at its upper edge, so that it does not stand off, cm."""
 _CLOSER_LOOSE = 2.0
 """The same of a top that hangs."""
+_ON_RIBS = 0.4
+"""Part of the front's extra length over the bust that what lies on the ribs has at its hem."""
 STRAP = "left_btorso_strap"
 
 
@@ -49,6 +52,8 @@ class HalterBodice:
     """On top of the waist girth where darts shape the bodice and it ends at the waist, cm around."""
     back_fall: float = 5.0
     """How far the back falls from the underarm to its middle, cm."""
+    stretches: bool = False
+    """Whether it is of cloth that stretches: what ends above the waist is as narrow as the ribs there."""
 
 
 def lay_halter_bodice(table: CuttingTable, figure: Figure, shape: HalterBodice) -> Halves | None:
@@ -78,12 +83,22 @@ def _lay_to_hem(table: CuttingTable, figure: Figure, shape: HalterBodice) -> Non
     under_y = max(figure.armpit_y - 1.0, hem_y + SIDE_MINIMUM)
     body = figure.girth_below_waist(shape.length).eased(6.0)
     widening = max(body.girth - chest.girth, 0.0) / 4 if shape.length > 0 else 0.0
+    hugs = shape.stretches and shape.length < 0
+    if hugs:
+        body = ribs_at(figure, hem_y).eased(shape.chest_ease)
+        widening = (body.girth - chest.girth) / 4
     widening += shape.flare / 4
+    behind = runs_back(chest, body, widening, under_y - hem_y) if hugs else 0.0
+    front_side = side_length((chest.front + widening - behind, hem_y + 0.5), (chest.front, under_y), 0.0)
     for side, half in (("f", chest.front), ("b", chest.back)):
         front = side == "f"
         drop = HEM_BALANCE * figure.front_fullness if front else 0.0
+        drop *= _ON_RIBS if hugs else 1.0
         outline = Outline(0.0, hem_y - drop)
-        outline.quadratic("hem", ((half + widening) * 0.6, hem_y - drop), (half + widening, hem_y + 0.5))
+        corner = (half + widening + (-behind if front else behind), hem_y + 0.5)
+        if hugs and not front:
+            corner = as_long(front_side, corner, (half, under_y), 0.0)
+        outline.quadratic("hem", (corner[0] * 0.6, hem_y - drop), corner)
         outline.line("side", half, under_y)
         _lay_half(table, figure, shape, outline, front=front)
 

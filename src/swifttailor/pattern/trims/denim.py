@@ -4,17 +4,18 @@ from __future__ import annotations
 
 import numpy as np
 
-from swifttailor.pattern.pattern import EdgeRef
+from swifttailor.pattern.pattern import EdgeRef, Pattern
 from swifttailor.pattern.trims import pockets
 from swifttailor.pattern.trims.chalk import Chalk
 from swifttailor.pattern.trims.free_edges import hem_edges, leg_ends
+from swifttailor.pattern.trims.front_view import over_darts
 from swifttailor.pattern.trims.shapes import Patch, Trim
 from swifttailor.pattern.trims.side_stripes import LEG, SIDE, outer_seams
 from swifttailor.pattern.trims.stitched_lines import beside_edge, inside_patch
 
 _BESIDE, _FROM_END, _POCKET = 0.7, 1.4, 0.7
 """How far stitches lie from a seam, from an end and from the border of a pocket, cm."""
-_STITCHED = ("back pockets", "patch pockets", "chest pocket", "bib pocket")
+_STITCHED_POCKETS = ("back pockets", "patch pockets", "chest pocket", "bib pocket")
 _BANDS = ("wb_front", "wb_back")
 _LOOP, _LOOPS, _OUT = 0.65, {"wb_front": (-0.5, 0.5), "wb_back": (-0.62, 0.0, 0.62)}, 0.25
 """Half the width of a loop, cm; where loops are, as parts of half the band's width; their room above."""
@@ -25,6 +26,12 @@ _YOKE, _BACK_YOKE, _SEAM = 18.4, 13.0, 0.17
 _FRONT_SEAMS = ((3.0, 4.0), (15.2, 9.5))
 _BACK_SEAMS = ((11.0, 7.0),)
 """How far from the middle the seams below a yoke begin and end, cm."""
+_BACKS = ("pant_b_l", "pant_b_r")
+_YOKE_AT_SIDE, _YOKE_AT_MIDDLE, _UPWARD = 4.0, 8.5, 3.0
+"""How far below the waist the yoke of jeans ends at the side and in the middle, cm; the outermost of the
+upper corners of a leg is found by how much more height counts than width."""
+_STITCHED = 0.17
+"""Half the width of its stitches as they are drawn, cm."""
 _SIDES = (("left", 1.0), ("right", -1.0))
 
 
@@ -43,10 +50,42 @@ def topstitching(chalk: Chalk, name: str) -> list[Trim]:
             pieces += beside_edge(chalk, name, ref, 0.5)
     if not pieces:
         return []
-    for pocket in _STITCHED:
+    if has_yoke_behind(pattern):
+        pieces += _yoke_behind(chalk, name)
+    for pocket in _STITCHED_POCKETS:
         if pocket in pattern.trims:
             sewn = [p for p in _PLACES[pocket](chalk, pocket) if isinstance(p, Patch) and p.look == "cloth"]
             pieces += [line for patch in sewn for line in inside_patch(chalk, name, patch, _POCKET)]
+    return pieces
+
+
+def has_yoke_behind(pattern: Pattern) -> bool:
+    """Whether a pattern is one of jeans or dungarees: denim legs on a waistband."""
+    names = {panel.name for panel in pattern.panels}
+    return "topstitching" in pattern.trims and names.issuperset((*_BACKS, *_BANDS))
+
+
+def _yoke_behind(chalk: Chalk, name: str) -> list[Trim]:
+    """The seam of the yoke on both back legs, lower in the middle; nothing where a leg has no room for it."""
+    pieces: list[Trim] = []
+    for panel, sign in zip(_BACKS, (1, -1), strict=True):
+        view = chalk.views.get(panel)
+        if view is None:
+            return []
+        corner = view.outline[int(np.argmax(sign * view.outline[:, 0] + _UPWARD * view.outline[:, 1]))]
+        outer = chalk.outer(view, float(corner[1]) - _YOKE_AT_SIDE * chalk.size, sign)
+        middle = float(view.outline[:, 1].max()) - _YOKE_AT_MIDDLE * chalk.size
+        inner = chalk.outer(view, middle, -sign)
+        if outer is None or inner is None:
+            return []
+        ends = np.array(
+            [(outer - sign * 0.5, corner[1] - _YOKE_AT_SIDE * chalk.size), (inner + sign * 0.5, middle)]
+        )
+        line = [(float(x), float(y)) for x, y in np.linspace(ends[0], ends[1], 24)]
+        found = chalk.line(name, panel, over_darts(view, line), _STITCHED)
+        if not found:
+            return []
+        pieces += found
     return pieces
 
 

@@ -8,11 +8,11 @@ from swifttailor.pattern.trims.chalk import Chalk
 from swifttailor.pattern.trims.shapes import Trim
 
 _FRONTS, _LEGS = ("pant_f_l", "pant_f_r"), ("pant_f_l", "pant_b_l", "pant_f_r", "pant_b_r")
-_CREASE = 0.11
+_CREASE = 0.2
 """Half the width of a crease as it is drawn, cm."""
 _FOLD = 0.22
 """Half the width of the edge of a pleat at the waist as it is drawn, cm."""
-_BELOW_WAIST, _OF_SEAT = 5.0, 0.36
+_BELOW_WAIST, _OF_SEAT = 2.5, 0.34
 """Creases begin so far below the waist in front, cm, and behind below the seat: at a part of the height."""
 _PLEATS = (0.24, 0.5, 0.76)
 """Where pleats lie in each front, as parts of its width."""

@@ -7,7 +7,7 @@ from swifttailor.pattern.trims.chalk import Chalk
 from swifttailor.pattern.trims.shapes import Frill, Trim
 
 _BANDS = ("wb_front", "wb_back")
-_HEIGHT = 4.0
+_HEIGHT = 6.0
 """How far it stands up, cm."""
 _FOLDED, _FOLDED_MOST = 8.5, 2.2
 """How far what is folded over hangs down, cm, and at most, as a part of the height of the band."""

@@ -61,6 +61,14 @@ _LONG_CM = 90.0
 """Legs that end above the ankle are not meant."""
 _FULL, _SHORTER_CM = Claim("leg_hem", "full"), 92.0
 """Legs that are not to be so long, and how long they are then."""
+_FLARE_A_LITTLE = re.compile(
+    r"(?<!\w)(?:slight(?:ly)?|subtl[ey]|gent(?:ly|le)|soft(?:ly)?|small|mini"
+    r"|an? (?:little|bit|touch|tad)(?: of)?(?: an?)?)"
+    r" (?:kick[- ]?)?flare[sd]?(?!\w)(?! (?:skirt|sleeve))",
+    re.IGNORECASE,
+)
+_LITTLE_FLARE_CM = 16.0
+"""Flares that are to be slight are so much wider at the hem than at the knee."""
 _LONGEST = ("trousers", "pull-on-trousers")
 _NOT_DRAGGING: Mapping[str, float] = {"flares": 106.0, "jeans": 106.0}
 """Drafts whose legs reach the floor and cannot be longer."""
@@ -72,7 +80,8 @@ _SEVEN_EIGHTHS = re.compile(
 )
 """Legs that end a hand above the ankle bone, higher than ankle length does."""
 _CROPPED = re.compile(
-    r"(?<!\w)(?:crop(?:ped)?|ankle[- ]swinging|half[- ]mast)(?!\w)(?! (?:jacket|top|tee|cardigan|sleeve))",
+    r"(?<!\w)(?<!not )(?<!n't )(?<!never )(?<!nor )(?<!non-)"
+    r"(?:crop(?:ped)?|ankle[- ]swinging|half[- ]mast)(?!\w)(?! (?:jacket|top|tee|cardigan|sleeve))",
     re.I,
 )
 _SLIGHTLY, _SLIGHTLY_CM = re.compile(r"(?<!\w)(?:slightly|a (?:little|bit|touch)|just) cropped", re.I), 91.0
@@ -127,6 +136,9 @@ def legs_as_said(
     if draft.name in _GATHERED_DRESSES and ELASTIC in wanted:
         full = max(_GATHERS, float(options.get("gathers", 0.0)))
         return replace(draft, options=tuple({**options, "gathers": full}.items()))
+    if draft.name == "flares" and _FLARE_A_LITTLE.search(text):
+        options["flare"] = min(_LITTLE_FLARE_CM, float(options.get("flare", _LITTLE_FLARE_CM)))
+        draft = replace(draft, options=tuple(options.items()))
     long = float(options.get("length", _LONG_CM)) >= _LONG_CM
     if draft.name in _CROPPED_CM and long and _CROPPED.search(text):
         cropped = _SLIGHTLY_CM if _SLIGHTLY.search(text) else _CROPPED_CM[draft.name]

@@ -8,7 +8,7 @@ from dataclasses import replace
 from swifttailor.describing.claims import Claim
 from swifttailor.pattern.drafts.draft_names import NamedDraft
 
-_LIKE_A_SWIMSUIT = {"stretch": 8.0, "sleeves": False, "armhole_drop": 2.0, "back_neck_depth": 14.0}
+_LIKE_A_SWIMSUIT = {"stretch": 14.0, "sleeves": False, "armhole_drop": 2.0, "back_neck_depth": 14.0}
 _SQUARE_NECK = {"neckline": "square", "neck_widening": 5.0, "neck_depth": 15.0}
 _PLUNGING_NECK = {"neckline": "v", "neck_widening": 4.5, "neck_depth": 22.0}
 _SCOOPED_NECK = {"neck_widening": 4.5, "neck_depth": 15.0}

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Annotated, Literal
 
 from swifttailor.pattern.drafts import declared
@@ -37,8 +37,8 @@ _CROTCH_DROP = 3.0
 
 
 @dataclass(frozen=True)
-class HalterTopOptions:
-    """Options of the halter top."""
+class _HalterOptions:
+    """What halter tops and dresses have in common."""
 
     length: declared.TopLength = 14.0
     chest_ease: declared.BustEase = 3.0
@@ -51,15 +51,24 @@ class HalterTopOptions:
     ] = 5.0
 
 
+@dataclass(frozen=True)
+class HalterTopOptions(_HalterOptions):
+    """Options of the halter top."""
+
+    stretch: declared.ClothStretch = 0.0
+
+
 def draft_halter_top(options: HalterTopOptions, measurements: Measurements) -> Pattern:
-    """Drafts the halter top for a body."""
-    table = CuttingTable("halter-top")
-    lay_halter_bodice(table, Figure.of(measurements), _halter(options))
+    """Drafts the halter top for a body; one of cloth that stretches lies on the ribs, as of bikinis."""
+    stretch = options.stretch / 100
+    table = CuttingTable("halter-top", stretch)
+    bodice = replace(_halter(options), stretches=stretch > 0.0)
+    lay_halter_bodice(table, Figure.of(measurements).for_cloth(stretch), bodice)
     return _sewn_halter(table)
 
 
 @dataclass(frozen=True)
-class HalterDressOptions(HalterTopOptions):
+class HalterDressOptions(_HalterOptions):
     """Options of the halter dress."""
 
     length: declared.LongLength = 58.0
@@ -174,7 +183,7 @@ def draft_off_shoulder_dress(options: OffShoulderDressOptions, measurements: Mea
     return table.finish()
 
 
-def _halter(options: HalterTopOptions, waist_ease: float | None = None) -> HalterBodice:
+def _halter(options: _HalterOptions, waist_ease: float | None = None) -> HalterBodice:
     neckline = Neckline(options.neckline, 0.5, options.neck_depth)
     return HalterBodice(
         options.chest_ease,

@@ -109,7 +109,7 @@ class SwimsuitOptions:
     dip: FrontDip = 4.0
     hip_ease: CloseHipEase = 4.0
     leg_height: LegHeight = 7.0
-    stretch: declared.ClothStretch = 8.0
+    stretch: declared.ClothStretch = 14.0
     halter: Annotated[bool, Option("Its front rises to the neck and is held by a strap behind it.")] = False
     neck_depth: Annotated[
         float,
