@@ -12,6 +12,13 @@ from swifttailor.wishes.reader import SURE, Wish
 from swifttailor.wording.lexicon import WordReading
 
 _SLITS = re.compile(r"slit|split|vent|\bcuts?\b|slash|open|gap|pleat|walk", re.IGNORECASE)
+_PLACED = re.compile(
+    r"(?:pockets?|bows?|buttons?|zips?|zippers?|laces?|lacing|ties?|tied|darts?|pleats?|folds|keyhole|seams?"
+    r"|elastic|yokes?|print|logo|neck\w*|longer|long|shorter|higher|lower|two|one|none)"
+    r"[^.;,]{0,25}? (?:at|in|on|down|up|behind)(?: the)? (?:front|back|rear|sides?)",
+    re.IGNORECASE,
+)
+"""What else is in front or behind: no slit is there."""
 _WAISTS = re.compile(
     r"waist|empire|bust|breast|bosom|chest|rib|hip|seam|drop|flapper|1920|20s|join|belly|tummy|bump", re.I
 )
@@ -28,6 +35,25 @@ _ROOMY = frozenset(
 )
 _HIPS = re.compile(r"\bhips?\b|\bbum|bottom|\bseat\b|curv|hug|cling|tight|fitted", re.IGNORECASE)
 _TIERS = frozenset({Claim("skirt", "tiered"), Claim("skirt", "gathered tiers")})
+_SHAPED_SLEEVES = tuple([Claim("sleeve_shape", value) for value in ("bell", "balloon", "puffed")])
+_SLEEVES = re.compile(
+    r"sleeve\w* (?:that|which|are|is|should|gather|wide|full|big|to"
+    r"|like|with|over|from)|bell|flar|wide|puff|full"
+    r"|balloon|bishop|big|large|huge|loose|flow|trumpet|kimono|batwing|gather|cuff|flutter|float|open"
+    r"|dramatic|medieval"
+    r"|angel|poet|statement|boho|hippie|70s|seventies|1970|romantic|volume|oversized|lantern|juliet|trail|point"
+    r"|fairy"
+    r"|elastic|princess|prairie|milkmaid|peasant|victorian|edwardian|suffrag|gibson|19[01]\d|regency|tudor"
+    r"|wizard|witch|elf|elven|mutton|blouson",
+    re.IGNORECASE,
+)
+"""Words of which one at least stands in a text whose sleeves are shaped."""
+_WIDE_BAND = Claim("waistband", "wide")
+_BANDS = re.compile(
+    r"band|waist|belt|yoga|elastic|high|bump|matern|pregnan|tummy|corset|basque|yoke|pull", re.IGNORECASE
+)
+_UNEVEN_NECK = Claim("neckline", "asymmetric")
+_ASKEW = re.compile(r"asym|uneven|slant|diagonal|one|shoulder|side|left|right|odd|drap|wrap", re.IGNORECASE)
 _POINTED = Claim("hem_shape", "pointed")
 
 
@@ -40,6 +66,7 @@ def without_guesses(text: str, found: Iterable[Wish], words: WordReading) -> tup
     lacking = {lack.what for lack in words.lacks}
     implied = {i.claim for i in words.implications}
     certain = {i.claim for i in words.implications if i.certainty == "certain"}
+    unwaisted = any(m.denied and e.part == "waist_seam" for m in words.marks for e in m.entries)
     kinds = {i.claim.value for i in words.implications if i.claim.name == "kind"}
     kept = []
     for wish in found:
@@ -56,13 +83,23 @@ def without_guesses(text: str, found: Iterable[Wish], words: WordReading) -> tup
                 continue
             if claim == _CLOSE_HIPS and not _ROOMY.isdisjoint(implied) and not _HIPS.search(text):
                 continue
+            if claim in _SHAPED_SLEEVES and not (_SLEEVES.search(text) or words.unknown):
+                continue
+            if claim == _WIDE_BAND and not (_BANDS.search(text) or words.unknown):
+                continue  # "thick trousers"
+            if claim == _UNEVEN_NECK and not (_ASKEW.search(text) or words.unknown):
+                continue
             if claim.name == "hem_shape" and "curved_hem" in lacking:  # level but for its sides
+                continue
+            if claim.name == "waist_seam" and unwaisted and wish.certainty < SURE:
                 continue
             if claim.name == "waist_seam" and not (words.unknown or _WAISTS.search(text)):
                 continue
             if claim in _TIERS and ("second_layer" in lacking or _POINTED in implied):  # layers of cloth
                 continue
             if claim.name == "slit" and "lacing" in lacking and not _SLITS.search(text):  # a laced front
+                continue
+            if claim.name == "slit" and _PLACED.search(text) and not _SLITS.search(text):
                 continue
             if claim.name == "slit" and wish.certainty < SURE and not (words.unknown or _SLITS.search(text)):
                 continue

@@ -59,6 +59,7 @@ _FLOOR_CM, _FLOOR_NARROW_CM, _WIDE_CM = 107.0, 104.5, 30.0
 """Of legs that reach the floor and do not lie on it: those with less room than that rest on the feet."""
 _LONG_CM = 90.0
 """Legs that end above the ankle are not meant."""
+_CALF = Claim("leg_hem", "calf")
 _FULL, _SHORTER_CM = Claim("leg_hem", "full"), 92.0
 """Legs that are not to be so long, and how long they are then."""
 _LONGEST = ("trousers", "pull-on-trousers")
@@ -128,7 +129,7 @@ def legs_as_said(
         full = max(_GATHERS, float(options.get("gathers", 0.0)))
         return replace(draft, options=tuple({**options, "gathers": full}.items()))
     long = float(options.get("length", _LONG_CM)) >= _LONG_CM
-    if draft.name in _CROPPED_CM and long and _CROPPED.search(text):
+    if draft.name in _CROPPED_CM and long and _CALF not in never and _CROPPED.search(text):
         cropped = _SLIGHTLY_CM if _SLIGHTLY.search(text) else _CROPPED_CM[draft.name]
         more = {"flare": _CROPPED_FLARE_CM} if "flare" not in options and draft.name in _ON_BODICES else {}
         return replace(draft, options=tuple({**options, "length": cropped, **more}.items()))

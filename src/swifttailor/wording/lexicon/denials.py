@@ -20,6 +20,8 @@ _ALSO: Mapping[Language, tuple[tuple[str, ...], tuple[str, ...]]] = {
     "pt": (("nem",), ()),
 }
 """Words for "or" and "and" in one language, which mean something else in others."""
+_GOES = frozenset("to with over under out in on from for anywhere straight dancing".split())
+"""Behind "can go": where or with what a garment is worn."""
 _NOES = frozenset(["no", "non", "nein", "nee", "não"])
 """What is said behind the name of what is not wanted."""
 _ADJECTIVES = frozenset(
@@ -79,6 +81,8 @@ def _named_before(words: Sequence[Meaning], k: int) -> int | None:
 def _came_from(words: Sequence[Meaning], named: int, k: int) -> bool:
     """Whether "off" tells where a garment was seen: "that dress off the telly"; parts alone are taken off."""
     goes_on = k + 1 < len(words) and words[k].found.gap == "space"
+    if goes_on and words[k].found.word == "can go" and words[k + 1].found.word in _GOES:
+        return True  # "a jumpsuit you can go to work in"
     return words[k].found.word == "off" and goes_on and words[named].category in ("garments", "generic")
 
 
