@@ -71,6 +71,15 @@ def _sure(heard: Heard) -> set[str]:
         ),
         ("boyfriend says I look good in green, so a green wrap dress", "neckline=v", "fit=oversized"),
         ("jumper, V neck, nothing that clings to my back", "neckline=v", "fit=close"),
+        ("the coat was long and had big buttons", "skirt_hem=maxi", "fit=oversized"),
+        ("a skirt with gathers only at the back", "skirt=gathered", "hem_shape=high-low"),
+        ("my arms are too fat for cap sleeves so elbow length ones, a dress", "sleeves=elbow", "sleeves=cap"),
+        ("he is getting married in a kilt, so a waistcoat, grey", "kind=top", "kind=skirt"),
+        (
+            "could the back be lower than the front? An evening dress, long sleeves",
+            "sleeves=long",
+            "sleeve_shape=bell",
+        ),
     ],
 )
 def test_is_heard(reader, text, sure, not_meant):
@@ -138,6 +147,11 @@ def test_begins_from(reader, text, draft, option):
     named = drafts_of(hear_description(text, reader))[0]
     assert named.name == draft
     assert option is None or option in named.options
+
+
+def test_a_colour_goes_without_the_print_of_a_guess(reader):
+    assert hear_description("for the summer a white skirt", reader).guess in ("", "skirt")
+    assert hear_description("skirt, summery", reader).guess == "floral skirt"
 
 
 def test_a_refused_waist_seam_is_not_guessed(reader):

@@ -8,6 +8,7 @@ from collections.abc import Iterable
 from swifttailor.describing.claims import Claim
 from swifttailor.describing.differences import Gain
 from swifttailor.wishes.corrections.short_wholes import is_short_itself
+from swifttailor.wishes.descriptions.words_for_guesses import may_be_meant
 from swifttailor.wishes.reader import SURE, Wish
 from swifttailor.wording.lexicon import WordReading
 
@@ -35,25 +36,6 @@ _ROOMY = frozenset(
 )
 _HIPS = re.compile(r"\bhips?\b|\bbum|bottom|\bseat\b|curv|hug|cling|tight|fitted", re.IGNORECASE)
 _TIERS = frozenset({Claim("skirt", "tiered"), Claim("skirt", "gathered tiers")})
-_SHAPED_SLEEVES = tuple([Claim("sleeve_shape", value) for value in ("bell", "balloon", "puffed")])
-_SLEEVES = re.compile(
-    r"sleeve\w* (?:that|which|are|is|should|gather|wide|full|big|to"
-    r"|like|with|over|from)|bell|flar|wide|puff|full"
-    r"|balloon|bishop|big|large|huge|loose|flow|trumpet|kimono|batwing|gather|cuff|flutter|float|open"
-    r"|dramatic|medieval"
-    r"|angel|poet|statement|boho|hippie|70s|seventies|1970|romantic|volume|oversized|lantern|juliet|trail|point"
-    r"|fairy"
-    r"|elastic|princess|prairie|milkmaid|peasant|victorian|edwardian|suffrag|gibson|19[01]\d|regency|tudor"
-    r"|wizard|witch|elf|elven|mutton|blouson",
-    re.IGNORECASE,
-)
-"""Words of which one at least stands in a text whose sleeves are shaped."""
-_WIDE_BAND = Claim("waistband", "wide")
-_BANDS = re.compile(
-    r"band|waist|belt|yoga|elastic|high|bump|matern|pregnan|tummy|corset|basque|yoke|pull", re.IGNORECASE
-)
-_UNEVEN_NECK = Claim("neckline", "asymmetric")
-_ASKEW = re.compile(r"asym|uneven|slant|diagonal|one|shoulder|side|left|right|odd|drap|wrap", re.IGNORECASE)
 _POINTED = Claim("hem_shape", "pointed")
 
 
@@ -83,11 +65,7 @@ def without_guesses(text: str, found: Iterable[Wish], words: WordReading) -> tup
                 continue
             if claim == _CLOSE_HIPS and not _ROOMY.isdisjoint(implied) and not _HIPS.search(text):
                 continue
-            if claim in _SHAPED_SLEEVES and not (_SLEEVES.search(text) or words.unknown):
-                continue
-            if claim == _WIDE_BAND and not (_BANDS.search(text) or words.unknown):
-                continue  # "thick trousers"
-            if claim == _UNEVEN_NECK and not (_ASKEW.search(text) or words.unknown):
+            if not (words.unknown or may_be_meant(claim, text)):
                 continue
             if claim.name == "hem_shape" and "curved_hem" in lacking:  # level but for its sides
                 continue

@@ -94,7 +94,7 @@ def _undyed(worn: str | None, heard: Heard) -> str | None:
     if worn is None or heard.words is None:
         return worn
     said = {entry.category for mark in heard.words.marks if not mark.denied for entry in mark.entries}
-    said |= {"shades"} if "colors" in said else set()
+    said |= {"shades", "prints"} if "colors" in said else set()
     refused = {e.color for m in heard.words.marks if m.denied for e in m.entries if e.color is not None}
     for mark in reversed(read_words(worn).marks):
         own = {e.category for e in mark.entries} & said & _LOOKS if mark.role == "word" else set()
