@@ -71,6 +71,15 @@ def _sure(heard: Heard) -> set[str]:
         ),
         ("boyfriend says I look good in green, so a green wrap dress", "neckline=v", "fit=oversized"),
         ("jumper, V neck, nothing that clings to my back", "neckline=v", "fit=close"),
+        ("dress, no sleeves, collar or belt, red", "sleeves=none, collar=none", "collar=lapel"),
+        ("no collar or cuffs, a white shirt", "collar=none, cuffs=none", "cuffs=band"),
+        ("a dress with no sleeves, collar and cuffs white", "sleeves=none, collar=lapel", ""),
+        ("Top, boat neck, sleeves between my elbow and my wrist", "kind=top, sleeves=three-quarter", ""),
+        (
+            "bodice: two darts in the back, neckline square 12 cm deep",
+            "neck_depth_cm=12.0",
+            "back_depth_cm=12.0",
+        ),
         ("the coat was long and had big buttons", "skirt_hem=maxi", "fit=oversized"),
         ("a skirt with gathers only at the back", "skirt=gathered", "hem_shape=high-low"),
         ("my arms are too fat for cap sleeves so elbow length ones, a dress", "sleeves=elbow", "sleeves=cap"),
@@ -147,6 +156,20 @@ def test_begins_from(reader, text, draft, option):
     named = drafts_of(hear_description(text, reader))[0]
     assert named.name == draft
     assert option is None or option in named.options
+
+
+@pytest.mark.parametrize(
+    ("text", "colors"),
+    [
+        ("I won't wear orange, brown or mustard. A jumper", []),
+        ("no red, pink or purple. A skirt to the knee", []),
+        ("a coat, not black, navy", ["navy"]),
+        ("collar, white on a dark blue dress", ["dark blue"]),
+    ],
+)
+def test_colors_that_are_refused(reader, text, colors):
+    words = hear_description(text, reader).words
+    assert words is not None and [color.words for color in words.colors] == colors
 
 
 def test_a_colour_goes_without_the_print_of_a_guess(reader):

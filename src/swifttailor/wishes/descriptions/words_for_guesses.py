@@ -34,7 +34,7 @@ _WORDS: Mapping[Claim, re.Pattern[str]] = {
     ),
     Claim("fit", "oversized"): re.compile(_BIG, re.IGNORECASE),
     Claim("hem_shape", "high-low"): re.compile(
-        r"long|short|high|low|dip|tail|train|drop|trail|slop|slant|mullet|waterfall|behind", re.IGNORECASE
+        r"long|short|\bhigh|\blow|dip|tail|train|drop|trail|slop|slant|mullet|waterfall|behind", re.IGNORECASE
     ),
     Claim("waistband", "wide"): re.compile(
         r"band|waist|belt|yoga|elastic|high|bump|matern|pregnan|tummy|corset|basque|yoke|pull", re.IGNORECASE

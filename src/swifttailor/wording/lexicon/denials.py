@@ -20,6 +20,8 @@ _ALSO: Mapping[Language, tuple[tuple[str, ...], tuple[str, ...]]] = {
     "pt": (("nem",), ()),
 }
 """Words for "or" and "and" in one language, which mean something else in others."""
+_WITHIN = ("no ", "without ")
+"""How words of the tables begin that refuse something themselves."""
 _GOES = frozenset("to with over under out in on from for anywhere straight dancing".split())
 """Behind "can go": where or with what a garment is worn."""
 _NOES = frozenset(["no", "non", "nein", "nee", "não"])
@@ -48,6 +50,11 @@ def denied_words(words: Sequence[Meaning], language: Language = "en") -> frozens
     found: set[int] = set()
     for k, word in enumerate(words):
         if word.category != "negations":
+            if (
+                word.found.word.startswith(_WITHIN)
+                and (last := _goes_on_behind(words, k, joints)) is not None
+            ):
+                _deny_after(words, last, found, joints)
             continue
         if _is_answer(words, k):
             found.add(k - 1)
@@ -58,6 +65,25 @@ def denied_words(words: Sequence[Meaning], language: Language = "en") -> frozens
             if before is not None and not _came_from(words, before, k):
                 found.add(before)
     return frozenset(found)
+
+
+def _goes_on_behind(words: Sequence[Meaning], k: int, joints: _Joints) -> int | None:
+    """Behind which word a list goes on that begins with "no sleeves", a word of the tables; None without one.
+
+    So it is in "no sleeves, collar or belt", and in "no collar or cuffs".
+    """
+    j = k + 1
+    if j + 1 >= len(words) or words[k].found.gap == "stop":
+        return None
+    if words[j].found.word in joints.ors:
+        return j if _can_be_had(words[j + 1]) and not words[j + 1].found.word.startswith(_WITHIN) else None
+    if words[k].found.gap != "pause":
+        return None
+    while j + 2 < len(words) and words[j].found.gap == "pause" and _can_be_had(words[j]):
+        j += 1
+    ends = j + 2 < len(words) and _can_be_had(words[j]) and words[j].found.gap == "space"
+    ends = ends and words[j + 1].found.word in joints.ors and _can_be_had(words[j + 2])
+    return k if ends and not words[k + 1].found.word.startswith(_WITHIN) else None
 
 
 def _is_answer(words: Sequence[Meaning], k: int) -> bool:
@@ -92,7 +118,8 @@ def _deny_after(words: Sequence[Meaning], k: int, found: set[int], joints: _Join
     first = True
     while start is not None:
         phrase = _phrase(words, start)
-        bare = len(phrase) == 1 and _can_be_had(words[phrase[0]])
+        named = phrase[0]
+        bare = len(phrase) == 1 and (_can_be_had(words[named]) or _is_a_color_of(words, named, joints))
         if (
             not first
             and not bare
@@ -145,6 +172,8 @@ def _listed(words: Sequence[Meaning], k: int) -> int | None:
 
 def _goes_on(words: Sequence[Meaning], k: int, joints: _Joints) -> bool:
     """Whether a word is in the middle of a list: "ruffles, tiers and gathers"."""
+    if _is_a_color_of(words, k, joints):
+        return True
     while k + 1 < len(words) and words[k].found.gap == "pause" and _can_be_had(words[k]):
         k += 1
     joined = joints.ors | joints.ands
@@ -170,6 +199,15 @@ def _denied_of(words: Sequence[Meaning], phrase: Sequence[int]) -> Sequence[int]
     if len(phrase) > 1 and words[phrase[-1]].category in ("garments", "parts", "generic"):
         return phrase[:-1]
     return phrase
+
+
+def _is_a_color_of(words: Sequence[Meaning], k: int, joints: _Joints) -> bool:
+    """Whether a word is a colour in a list of colours that ends with "or": "orange, brown or mustard"."""
+    if words[k].category != "colors":
+        return False
+    while k + 1 < len(words) and words[k].found.gap == "pause" and words[k + 1].category == "colors":
+        k += 1
+    return k + 2 < len(words) and words[k + 1].found.word in joints.ors and words[k + 2].category == "colors"
 
 
 def _can_be_had(word: Meaning) -> bool:
