@@ -20,9 +20,7 @@ _DRAGS = re.compile(
     r"|(?:super|extra|very|really|too|extremely)[\s-]+long(?!\s+(?:sleeves?|arms?|zips?|slits?|rise)))(?!\w)",
     re.IGNORECASE,
 )
-_NOT_LONG = re.compile(
-    r"(?<!\w)(?:not|n't|nicht|isn't|aren't)\s+(?:\w+\s+)?(?:too|so|very|extra)\s+long", re.I
-)
+_NOT_LONG = re.compile(r"(?<!\w)(?:not|\w*n['’]t|nicht)\s+(?:\w+\s+){0,3}?(?:too|so|very|extra)\s+long", re.I)
 _SOFT = re.compile(
     r"(?<!\w)(?:comf(?:y|ier|iest|ortable)|cosy|cozy|snuggl\w*|stay(?:ing)? at home|sofa|loung\w*|slouch\w*"
     r"|(?:long[- ]haul|flights?|plane|airplane|travel(?:l?ing)?|train journey|road trip|car journeys?)"

@@ -22,6 +22,8 @@ _ALSO: Mapping[Language, tuple[tuple[str, ...], tuple[str, ...]]] = {
 """Words for "or" and "and" in one language, which mean something else in others."""
 _WITHIN = ("no ", "without ")
 """How words of the tables begin that refuse something themselves."""
+_LISTED = frozenset(["styles", "fits", "colors", "prints", "fabrics", "parts"])
+_EXACT = frozenset(["mini", "midi", "maxi", "ankle", "knee", "calf"])
 _GOES = frozenset("to with over under out in on from for anywhere straight dancing".split())
 """Behind "can go": where or with what a garment is worn."""
 _NOES = frozenset(["no", "non", "nein", "nee", "não"])
@@ -76,13 +78,10 @@ def _goes_on_behind(words: Sequence[Meaning], k: int, joints: _Joints) -> int | 
     if j + 1 >= len(words) or words[k].found.gap == "stop":
         return None
     if words[j].found.word in joints.ors:
-        return j if _can_be_had(words[j + 1]) and not words[j + 1].found.word.startswith(_WITHIN) else None
+        return j if _is_listable(words[j + 1]) and not words[j + 1].found.word.startswith(_WITHIN) else None
     if words[k].found.gap != "pause":
         return None
-    while j + 2 < len(words) and words[j].found.gap == "pause" and _can_be_had(words[j]):
-        j += 1
-    ends = j + 2 < len(words) and _can_be_had(words[j]) and words[j].found.gap == "space"
-    ends = ends and words[j + 1].found.word in joints.ors and _can_be_had(words[j + 2])
+    ends = _ends_with_or(words, j, joints)
     return k if ends and not words[k + 1].found.word.startswith(_WITHIN) else None
 
 
@@ -119,7 +118,7 @@ def _deny_after(words: Sequence[Meaning], k: int, found: set[int], joints: _Join
     while start is not None:
         phrase = _phrase(words, start)
         named = phrase[0]
-        bare = len(phrase) == 1 and (_can_be_had(words[named]) or _is_a_color_of(words, named, joints))
+        bare = len(phrase) == 1 and (_can_be_had(words[named]) or _ends_with_or(words, named, joints))
         if (
             not first
             and not bare
@@ -172,7 +171,7 @@ def _listed(words: Sequence[Meaning], k: int) -> int | None:
 
 def _goes_on(words: Sequence[Meaning], k: int, joints: _Joints) -> bool:
     """Whether a word is in the middle of a list: "ruffles, tiers and gathers"."""
-    if _is_a_color_of(words, k, joints):
+    if _ends_with_or(words, k, joints):
         return True
     while k + 1 < len(words) and words[k].found.gap == "pause" and _can_be_had(words[k]):
         k += 1
@@ -201,13 +200,22 @@ def _denied_of(words: Sequence[Meaning], phrase: Sequence[int]) -> Sequence[int]
     return phrase
 
 
-def _is_a_color_of(words: Sequence[Meaning], k: int, joints: _Joints) -> bool:
-    """Whether a word is a colour in a list of colours that ends with "or": "orange, brown or mustard"."""
-    if words[k].category != "colors":
-        return False
-    while k + 1 < len(words) and words[k].found.gap == "pause" and words[k + 1].category == "colors":
+def _ends_with_or(words: Sequence[Meaning], k: int, joints: _Joints) -> bool:
+    """Whether a word is in a list of its like that ends with "or": "orange, brown or mustard".
+
+    So it is in "skinny, flared or cropped", but not in "tight, midi or long", which tells what is wanted.
+    """
+    while k + 1 < len(words) and _is_listable(words[k]) and words[k].found.gap == "pause":
         k += 1
-    return k + 2 < len(words) and words[k + 1].found.word in joints.ors and words[k + 2].category == "colors"
+    ends = k + 2 < len(words) and _is_listable(words[k]) and words[k].found.gap == "space"
+    return ends and words[k + 1].found.word in joints.ors and _is_listable(words[k + 2])
+
+
+def _is_listable(word: Meaning) -> bool:
+    """Whether a word may stand in a list of what is refused: no exact length may."""
+    if word.category == "lengths":
+        return " " not in word.found.word and word.found.word not in _EXACT
+    return word.category in _LISTED
 
 
 def _can_be_had(word: Meaning) -> bool:
