@@ -85,7 +85,15 @@ from swifttailor.wishes.text.unread import unread_numbers
 from swifttailor.wishes.trims.big_buttons import not_of_buttons, spans_of_big_buttons
 from swifttailor.wishes.trims.button_counts import buttons_stated
 from swifttailor.wording.claim_kinds import fits_kind
-from swifttailor.wording.lexicon import SURENESS, Implication, WordReading, exclude, glossed, read_words
+from swifttailor.wording.lexicon import (
+    SURENESS,
+    Implication,
+    WordMark,
+    WordReading,
+    exclude,
+    glossed,
+    read_words,
+)
 from swifttailor.wording.lexicon.conflicts import SCALES
 from swifttailor.wording.lexicon.long_tops import kinds_outgrown
 
@@ -261,9 +269,16 @@ def _kind_named_alone(text: str, words: WordReading) -> list[Implication]:
     ]
     kinds = [i for i in words.implications if i.claim.name == "kind" and i.mark.role == "garment"]
     whole = {i.claim.value for i in kinds} <= _WHOLE_KINDS
-    alone = (len(words.marks) <= _NO_STORY or whole) and len(names) == 1
+    short = len(words.marks) <= _NO_STORY or (len(names) == 1 and _opens_with(names[0], words))
+    alone = (short or whole) and len(names) == 1
     alone = alone and not _BESIDE.search(text[: names[0].start])
     return kinds if alone and len({i.claim.value for i in kinds}) == 1 else []
+
+
+def _opens_with(name: WordMark, words: WordReading) -> bool:
+    """Whether a text begins with a name and its adjectives: who then tells a story tells it of that."""
+    before = [m for m in words.marks if m.start < name.start]
+    return not any(m.denied or not m.entries or m.entries[0].category not in _LEADS for m in before)
 
 
 def _outdone(words: WordReading) -> list[Gain]:
@@ -336,6 +351,10 @@ def _within_names(network: Sequence[Wish], words: WordReading) -> list[Wish]:
 _BESIDE = re.compile(r"\b(?:something|anything|outfit|with|over|under\w*|like|match\w*|for)\b", re.IGNORECASE)
 _BARE_ARMS = Claim("sleeves", "none")
 _FEW_WORDS, _NO_STORY = 5, 9
+_LEADS = frozenset(
+    "function polite colors shades prints fabrics styles fits lengths occasions sizes degrees numbers".split()
+)
+"""Categories of words that may stand before the name of the garment that a text begins with."""
 _NAMES_THINGS = ("garments", "accessories", "generic")
 _WHOLE_KINDS = frozenset({"dress", "jumpsuit", "playsuit"})
 """Kinds with skirts or legs: who speaks of these at length still asks for the whole."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Sequence
 
 from swifttailor.describing.claims import Claim
@@ -14,8 +15,12 @@ from swifttailor.wording.lexicon import WordReading, exclude
 _NAMES = ("garment", "like", "second")
 _SKIRT = frozenset({"skirt"})
 _LOWER = frozenset({"skirt", "trousers", "shorts"})
+_DRESS = frozenset({"dress"})
+_NO_LEGS = frozenset({"dress", "skirt", "top", "tunic"})
+_OF_LEGS = frozenset({"legs", "leg_hem", "leg_cuffs", "inseam_cm", "leg_width_cm", "leg_cuff_cm"})
 _UPPER = frozenset("sleeves sleeve_shape cuffs neckline neck_depth shoulders collar hood bodice".split())
 _UPPER_PARTS = frozenset({"sleeves", "neckline", "collar"})
+_DARTS = re.compile(r"(?:(?:with|back|front|waist|hip|long|two|four) )*darts?$", re.IGNORECASE)
 _WAISTBAND, _HEM_BAND = Claim("waistband", "waist"), Claim("waistband", "hem")
 
 
@@ -30,7 +35,9 @@ def skirts_of_dresses(text: str, words: WordReading) -> str:
     if not named or any(mark.role in ("like", "second", "theirs") or mark.denied for mark in words.marks):
         return text
     skirts = all(entry.kinds == _SKIRT for mark in named for entry in mark.entries)
+    darts = [i.claim for i in words.implications if i.said and _DARTS.match(i.mark.word)]  # skirts have some
     said = [i.claim for i in words.implications if i.said and i.certainty == "certain"]
+    said = [claim for claim in said if claim not in darts]
     upper = any(claim.name in _UPPER and claim.value != "none" for claim in said)
     upper |= any(m.part in _UPPER_PARTS and m.role == "word" for m in words.marks)
     return f"dress, {text}" if skirts and upper else text
@@ -102,6 +109,11 @@ def fitting_the_name(found: Sequence[Wish], words: WordReading) -> tuple[Wish, .
         for entry in mark.entries
     ]
     kinds = frozenset().union(*named)
+    if kinds and kinds <= _NO_LEGS:
+        found = [w for w in found if not (isinstance(w.change, Gain) and w.change.claim.name in _OF_LEGS)]
+    if kinds == _DRESS:  # where it ends is told by its skirt
+        told = {i.claim for i in words.implications}
+        found = [w for w in found if not _is_network_hem(w, told)]
     heard = {w.change.claim.value for w in found if isinstance(w.change, Gain) and _is_kind(w.change)}
     if len(kinds) != 1 or not kinds <= _LOWER or not heard <= kinds or not all(named):
         return tuple(found)
@@ -115,6 +127,12 @@ def with_one_band(found: Sequence[Wish], words: WordReading) -> tuple[Wish, ...]
     if _HEM_BAND not in said or _WAISTBAND in said:
         return tuple(found)
     return tuple([wish for wish in found if wish.change != Gain(_WAISTBAND)])
+
+
+def _is_network_hem(wish: Wish, told: Collection[Claim]) -> bool:
+    """Whether a network alone says where a top ends."""
+    claim = wish.change.claim if isinstance(wish.change, Gain) else None
+    return claim is not None and claim.name == "top_hem" and claim not in told
 
 
 def _is_kind(gain: Gain) -> bool:

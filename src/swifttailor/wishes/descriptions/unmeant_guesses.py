@@ -8,10 +8,18 @@ from collections.abc import Iterable
 from swifttailor.describing.claims import Claim
 from swifttailor.describing.differences import Gain
 from swifttailor.wishes.corrections.short_wholes import is_short_itself
+from swifttailor.wishes.descriptions.words_for_guesses import may_be_meant
 from swifttailor.wishes.reader import SURE, Wish
 from swifttailor.wording.lexicon import WordReading
 
 _SLITS = re.compile(r"slit|split|vent|\bcuts?\b|slash|open|gap|pleat|walk", re.IGNORECASE)
+_PLACED = re.compile(
+    r"(?:pockets?|bows?|buttons?|zips?|zippers?|laces?|lacing|ties?|tied|darts?|pleats?|folds|keyhole|seams?"
+    r"|elastic|yokes?|print|logo|neck\w*|longer|long|shorter|higher|lower|two|one|none)"
+    r"[^.;,]{0,25}? (?:at|in|on|down|up|behind)(?: the)? (?:front|back|rear|sides?)",
+    re.IGNORECASE,
+)
+"""What else is in front or behind: no slit is there."""
 _WAISTS = re.compile(
     r"waist|empire|bust|breast|bosom|chest|rib|hip|seam|drop|flapper|1920|20s|join|belly|tummy|bump", re.I
 )
@@ -40,6 +48,7 @@ def without_guesses(text: str, found: Iterable[Wish], words: WordReading) -> tup
     lacking = {lack.what for lack in words.lacks}
     implied = {i.claim for i in words.implications}
     certain = {i.claim for i in words.implications if i.certainty == "certain"}
+    unwaisted = any(m.denied and e.part == "waist_seam" for m in words.marks for e in m.entries)
     kinds = {i.claim.value for i in words.implications if i.claim.name == "kind"}
     kept = []
     for wish in found:
@@ -56,13 +65,19 @@ def without_guesses(text: str, found: Iterable[Wish], words: WordReading) -> tup
                 continue
             if claim == _CLOSE_HIPS and not _ROOMY.isdisjoint(implied) and not _HIPS.search(text):
                 continue
+            if not (words.unknown or may_be_meant(claim, text)):
+                continue
             if claim.name == "hem_shape" and "curved_hem" in lacking:  # level but for its sides
+                continue
+            if claim.name == "waist_seam" and unwaisted and wish.certainty < SURE:
                 continue
             if claim.name == "waist_seam" and not (words.unknown or _WAISTS.search(text)):
                 continue
             if claim in _TIERS and ("second_layer" in lacking or _POINTED in implied):  # layers of cloth
                 continue
             if claim.name == "slit" and "lacing" in lacking and not _SLITS.search(text):  # a laced front
+                continue
+            if claim.name == "slit" and _PLACED.search(text) and not _SLITS.search(text):
                 continue
             if claim.name == "slit" and wish.certainty < SURE and not (words.unknown or _SLITS.search(text)):
                 continue

@@ -57,6 +57,7 @@ _DETAILS = 2
 """So many different things have to be said before they tell what a garment is."""
 _SHORTEST_DRESS_CM = 75.0
 """From the shoulder to the hem; what is shorter is a top."""
+_HIGH_LOW = Claim("hem_shape", "high-low")
 _DRESS = Claim("kind", "dress")
 _BESIDE_LENGTHS = frozenset(
     "lengths function polite negations degrees generic colors shades prints fabrics".split()
@@ -93,7 +94,7 @@ def _undyed(worn: str | None, heard: Heard) -> str | None:
     if worn is None or heard.words is None:
         return worn
     said = {entry.category for mark in heard.words.marks if not mark.denied for entry in mark.entries}
-    said |= {"shades"} if "colors" in said else set()
+    said |= {"shades", "prints"} if "colors" in said else set()
     refused = {e.color for m in heard.words.marks if m.denied for e in m.entries if e.color is not None}
     for mark in reversed(read_words(worn).marks):
         own = {e.category for e in mark.entries} & said & _LOOKS if mark.role == "word" else set()
@@ -171,6 +172,8 @@ def _is_likely_a_dress(heard: Heard) -> bool:
     if any(claim.name == "length_cm" and float(claim.value) < _SHORTEST_DRESS_CM for claim in claims):
         return False
     hems = [claim for claim in (*claims, *guessed, *heard.never) if claim.name == "skirt_hem"]
+    if any(claim == _HIGH_LOW for claim in claims) and not any(c.name == "top_hem" for c in claims):
+        return True
     alone = all(m.entries and m.entries[0].category in _BESIDE_LENGTHS for m in marks)  # "knee length"
     return any(claim.value in _DRESS_LENGTHS for claim in hems) or (alone and bool(hems))
 

@@ -64,7 +64,10 @@ the wide armholes of what has more catch the arms."""
 _WAISTED = frozenset({"skirt", "waist_seam", "hips", "bodice", "shoulders", "straps", "slit", "waistband"})
 _STRAIGHT, _TENT = Claim("bodice", "undarted"), Claim("bodice", "flared")
 _A_LINE, _A_LINE_CM = Claim("skirt", "a-line"), 30.0
-_HANGING_SKIRTS = (_A_LINE, Claim("skirt", "straight"), Claim("slit", "none"), Claim("shoulders", "both"))
+_HANGING_SKIRTS = (
+    *(_A_LINE, Claim("skirt", "straight"), Claim("slit", "none"), Claim("shoulders", "both")),
+    Claim("waistband", "none"),
+)
 """What a dress without a waist seam may have, and by how much its hem is wider where that is to flare."""
 _STRAIGHT_CM, _TENT_CM = 10.0, 28.0
 """Room up to which a dress falls straight, and by how much the hem of a tent top is wider, all around."""
@@ -335,7 +338,8 @@ def _hanging_loose(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     fits = [str(claim.value) for claim in claims if claim.name == "fit" and claim.value in _LOOSE_DRESS_CM]
     hangs = _HANGING_SKIRTS if straight else ()
     waisted = any(claim.name in _WAISTED and claim not in (_STRAIGHT, _TENT, *hangs) for claim in claims)
-    if draft.name != "skater-dress" or waisted or not (straight or {"loose", "oversized"}.intersection(fits)):
+    hung = draft.name == "skater-dress" or (draft.name == "fitted-dress" and _STRAIGHT in claims)
+    if not hung or waisted or not (straight or {"loose", "oversized"}.intersection(fits)):
         return draft
     sleeves = any(claim.name == "sleeves" and claim.value != "none" for claim in claims)
     kept = {"length": float(options.get("skirt_length", _SKATER_CM)), "neck_widening": 1.0}

@@ -61,6 +61,12 @@ _ROOMY: Mapping[str, float] = {"hip_ease": 15.0, "leg_ease": 20.0, "flare": -16.
 """Trousers that are wide at the hips and narrow below."""
 _LOOSE, _LOOSE_CM = Claim("hips", "loose"), 12.0
 _LEGGINGS, _SHORTEST_LEGGINGS_CM = "leggings", 43.0
+_FULL_LEGS, _FULL_LEGGINGS_CM = Claim("leg_hem", "full"), 101.0
+"""Leggings that are told to be full length, and how long these are, cm."""
+_WIDE_BELOW, _FLARES = (
+    frozenset({Claim("legs", "wide"), Claim("legs", "flared")}),
+    NamedDraft.parse("flares"),
+)
 _OF_JERSEY: Mapping[Claim, NamedDraft] = {
     Claim("legs", "flared"): NamedDraft.parse(
         "flares(stretch=8;leg_ease=8;hip_ease=2;flare=28;length=103;band_height=7;crotch_drop=0)"
@@ -97,6 +103,10 @@ def legs_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft | No
         return None
     if draft.name == _LEGGINGS and not dict(draft.options).get("length", 0.0):
         draft = next((cut for claim, cut in _OF_JERSEY.items() if claim in claims), draft)
+    if draft.name == "jeans" and _WIDE_BELOW.intersection(claims):
+        draft = _FLARES  # tight over the hips by one word, wide below by another
+    if draft.name == _LEGGINGS and _FULL_LEGS in claims and "length" not in dict(draft.options):
+        draft = replace(draft, options=(*draft.options, ("length", _FULL_LEGGINGS_CM)))
     if draft.name == _JOGGERS and _UNCUFFED in claims and not dict(draft.options).get("crotch_drop"):
         draft = _OPEN_JOGGERS
     draft = _with_legs(_with_leg_cuffs(draft, claims), claims)

@@ -20,9 +20,7 @@ _DRAGS = re.compile(
     r"|(?:super|extra|very|really|too|extremely)[\s-]+long(?!\s+(?:sleeves?|arms?|zips?|slits?|rise)))(?!\w)",
     re.IGNORECASE,
 )
-_NOT_LONG = re.compile(
-    r"(?<!\w)(?:not|n't|nicht|isn't|aren't)\s+(?:\w+\s+)?(?:too|so|very|extra)\s+long", re.I
-)
+_NOT_LONG = re.compile(r"(?<!\w)(?:not|\w*n['’]t|nicht)\s+(?:\w+\s+){0,3}?(?:too|so|very|extra)\s+long", re.I)
 _SOFT = re.compile(
     r"(?<!\w)(?:comf(?:y|ier|iest|ortable)|cosy|cozy|snuggl\w*|stay(?:ing)? at home|sofa|loung\w*|slouch\w*"
     r"|(?:long[- ]haul|flights?|plane|airplane|travel(?:l?ing)?|train journey|road trip|car journeys?)"
@@ -59,6 +57,7 @@ _FLOOR_CM, _FLOOR_NARROW_CM, _WIDE_CM = 107.0, 104.5, 30.0
 """Of legs that reach the floor and do not lie on it: those with less room than that rest on the feet."""
 _LONG_CM = 90.0
 """Legs that end above the ankle are not meant."""
+_CALF = Claim("leg_hem", "calf")
 _FULL, _SHORTER_CM = Claim("leg_hem", "full"), 92.0
 """Legs that are not to be so long, and how long they are then."""
 _FLARE_A_LITTLE = re.compile(
@@ -140,7 +139,7 @@ def legs_as_said(
         options["flare"] = min(_LITTLE_FLARE_CM, float(options.get("flare", _LITTLE_FLARE_CM)))
         draft = replace(draft, options=tuple(options.items()))
     long = float(options.get("length", _LONG_CM)) >= _LONG_CM
-    if draft.name in _CROPPED_CM and long and _CROPPED.search(text):
+    if draft.name in _CROPPED_CM and long and _CALF not in never and _CROPPED.search(text):
         cropped = _SLIGHTLY_CM if _SLIGHTLY.search(text) else _CROPPED_CM[draft.name]
         more = {"flare": _CROPPED_FLARE_CM} if "flare" not in options and draft.name in _ON_BODICES else {}
         return replace(draft, options=tuple({**options, "length": cropped, **more}.items()))

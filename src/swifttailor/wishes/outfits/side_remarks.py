@@ -38,7 +38,7 @@ _LEADING = (
 )
 _IT_NICELY = (
     r"(?: (?:it|them|this))?(?: (?:on|up|nicely|well|best|straight|loosely|easily"
-    r"|ok|okay|good|nice|right|fine|smart))*"
+    r"|ok|okay|good|nice|right|fine|smart|open))*"
 )
 _REMARKS = (
     re.compile(

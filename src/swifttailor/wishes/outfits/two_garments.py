@@ -15,6 +15,7 @@ from swifttailor.wishes.descriptions.sayings_of_wishes import without_asides
 from swifttailor.wishes.outfits.aprons import with_apron_put_on
 from swifttailor.wishes.outfits.first_piece import first_piece
 from swifttailor.wishes.outfits.hooded_outfits import with_hooded_top
+from swifttailor.wishes.outfits.named_again import told_behind_names
 from swifttailor.wishes.outfits.one_cloth import is_a_mood
 from swifttailor.wishes.outfits.outfit_chunks import Chunk, bare, chunks_of
 from swifttailor.wishes.outfits.outfit_halves import HALVES, Half, half_named
@@ -32,6 +33,8 @@ from swifttailor.wording.lexicon import WordMark, WordReading, read_words
 _PLUS = re.compile(r"(?<=[^\W\d_])(?:\s*[&+]\s*|\s+w/\s*|\s+['’]?n['’]?\s+)(?=[^\W\d_])")
 _SUIT_OF = re.compile(r"(?<!\w)(suits?|sets?)\s*(?::|=|[-–—](?=\s))\s*", re.IGNORECASE)
 """What would be read with the word behind it: the jacket of "suit: jacket and trousers" is no suit jacket."""
+_A_SET = re.compile(r"(?<!\w)(?:outfit|suit|set|ensemble|costume|uniform)(?!\w)", re.IGNORECASE)
+"""What names two garments and may be put more plainly for one."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,13 +71,13 @@ def two_garments(text: str) -> TwoGarments | None:
         text: In any language that is read.
     """
     own = of_one_half(without_complaints(text))
-    found = _two_garments(own)
     plain = without_asides(own)  # "something sleeveless with a jacket" is a dress with one
-    return found if found is not None or plain == own else _two_garments(plain)
+    found = _two_garments(plain)
+    return _two_garments(own) if found is None and plain != own and _A_SET.search(own) else found
 
 
 def _two_garments(text: str) -> TwoGarments | None:
-    text = said_plainly(first_piece(text))
+    text = said_plainly(told_behind_names(first_piece(text)))
     text = _PLUS.sub(lambda found: " with " if "w" in found[0] else " and ", text)
     text = _SUIT_OF.sub(r"\1, ", with_hooded_top(with_apron_put_on(text)))
     text = joined_up(text, read_words(text))

@@ -54,6 +54,18 @@ _BETWEEN = re.compile(
     re.IGNORECASE,
 )
 """What says that the two names are one garment, or a choice."""
+_FITS = re.compile(
+    r"(?<!\w)(?:tight|fitted|close|snug|loose|plain|narrow|slim|clingy|simple|strapless|sleeveless|fits?|shaped|neat)"
+    r"(?:er)?\s*$",
+    re.IGNORECASE,
+)
+"""Before "on top": how the upper part of one garment is."""
+_LIKENED = re.compile(
+    r"(?<!\w)(?:(?<!would )(?<!['’]d )(?<!(?:really|rather) )(?<!also )(?<!\bi )(?<!\bwe )(?<!\bshe )like"
+    r"|similar to|just as|the same as) (?:an? |the |my |his |her |those |one of those )(?:[\w-]+ ){0,2}$",
+    re.IGNORECASE,
+)
+"""What says that a garment is like another: "a long coat, like a dressing gown"."""
 _WORN = r"(?:worn|layered|thrown|wear|to wear|to go|to put|to throw|that goes|which goes|on|going|all)"
 _IT = r"(?: (?:of )?(?:it|the top|top|that|this|them|everything|the dress|the top of it))?"
 _END = r"(?=\s*(?:[,.;!)]|$|(?:in|and|with|made|of)(?!\w)))"
@@ -117,6 +129,7 @@ def layered_pieces(text: str, words: WordReading, chunks: Sequence[Chunk]) -> Pi
         As ``upper`` that which is on top, as ``lower`` that which is beneath.
     """
     names = [mark for mark in words.marks if _is_name(mark, words.marks)]
+    names = [mark for mark in names if not _LIKENED.search(text[: mark.start])]
     if len(names) < 2 or is_in_one(text) or _BETWEEN.search(text):
         return None
     first = names[0]
@@ -159,7 +172,8 @@ def _on_top(text: str, first: WordMark, other: WordMark, chunks: Sequence[Chunk]
     if _UNDER.search(joined):
         return other
     ranks = rank_of(first), rank_of(other)
-    if _OVER_IT.search(behind) and ranks[1] >= _BENEATH:
+    over = _OVER_IT.search(behind)
+    if over is not None and not _FITS.search(behind, 0, over.start()) and ranks[1] >= _BENEATH:
         return other
     if _UNDER_IT.search(behind):  # shorts beneath are sewn in
         return first if halves[1] != "lower" else None

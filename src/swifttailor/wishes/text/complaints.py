@@ -24,6 +24,20 @@ _ALL = (
     r"|everything(?! (?:from|else|about|should|must|to|for)(?!\w))"
     r"(?: in the shops?| out there| these days)?)"
 )
+_SOLD = (
+    r"(?:(?:in the (?:shops?|stores?|high street)|on the high street|out there|online|on sale|these days"
+    r"|nowadays|this (?:year|season|summer|spring|autumn|winter)|at the moment"
+    r"|right now|you (?:see|find|get|can buy)|they (?:sell|make|have)|for sale)(?: |,)*)+"
+)
+_OFFERED = (
+    rf"(?:(?:every|each|all (?:of )?the|all|most|half the) (?:[\w’'-]+ ){{1,3}}?{_SOLD}"
+    r"(?:(?:is|are|seems?|always|either|just|only|to|comes?|all) )*"
+    r"(?:has|have|had|with|got|wants?|needs?|is|are|an?|so|too|made|cut|full|covered)(?!\w)"
+    r"|(?:everything|all) (?:in (?:the )?(?:shops?|stores?)|out there|on sale|they sell"
+    r"|this (?:year|season)) "
+    r"(?:has|have|is|comes|seems)(?!\w))"
+)
+"""What shops have: "every dress in the shops this year has a frill on it"."""
 _WRONG = (
     r"(?:(?:is|are|was|were|seems?|always|either|just|only|sort of|ends? up|ended up|keeps?) )*"
     r"(?:an?|like|looks?|looked|looking|makes?|made|feels?|felt|rid(?:es|e|ing|den)|rode|gapes?|gaping|digs?"
@@ -85,6 +99,7 @@ _OF_OTHERS = re.compile(
 )
 _BUT = r"(?:but|yet|however|though|although|only)"
 _PATTERNS = (
+    re.compile(rf"(?<![\w-]){_OFFERED}{_NO_WISH}{_TO_END}{_JOINT}", re.IGNORECASE),
     re.compile(rf"(?<![\w-]){_ALL} (?:[\w’'-]+ ){{0,3}}?{_WRONG}{_NO_WISH}{_TO_END}{_JOINT}", re.IGNORECASE),
     _OF_OTHERS,
     re.compile(rf"(?<![\w-])(?:{_OLD}|{_MINE}){_NO_WISH}{_TO_END}{_JOINT}", re.IGNORECASE),
@@ -122,6 +137,8 @@ _ONE = re.compile(
     r"(?<!\w)(?:one|ones)(?= (?:please|that|which|with|in|to|for|where|whose)(?!\w)|[,.;!?]|$)",
     re.IGNORECASE,
 )
+_NAMED_FIRST = 5
+"""Words among which a complaint names its garment: "all the skirts in the shops are mini"."""
 _SOMETHING = re.compile(r"(?<!\w)(?:something|anything|one)(?!\w)", re.IGNORECASE)
 
 
@@ -150,7 +167,7 @@ def _without(text: str, found: re.Match[str], *, of_others: bool) -> str:
         return text
     if _garment(rest) is not None:
         return rest
-    what = _garment(found[0])
+    what = _garment(" ".join(found[0].split()[:_NAMED_FIRST])) or _garment(found[0])
     if what is not None and _ONE.search(rest):
         return _ONE.sub(what, rest, count=1)
     if what is not None and not of_others:

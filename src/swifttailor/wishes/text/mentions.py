@@ -31,7 +31,8 @@ _MENTION = re.compile(
     rf"(?<![\w.,/])(?:(?P<figure>{_FIGURE})(?:[ -]?(?!in (?:the|front|back|one)\b)(?P<unit>{_UNIT})(?!\w))?"
     rf"|(?P<few>an?|a couple(?: of)?|a few) (?P<few_unit>{_SPOKEN_SMALL})(?P<few_half>{_HALF})"
     rf"|(?P<part>half|(?:a )?third|(?:a )?quarter)(?: of)? an? (?P<whole>{_SPOKEN})"
-    rf"|(?P<word>{'|'.join(_COUNTS)})(?:(?P<half> and a half)?[ -](?P<words_unit>{_SPOKEN}|cms?|mm))?)"
+    rf"|(?P<word>{'|'.join(_COUNTS)})(?![ -]quarter)"
+    rf"(?:(?P<half> and a half)?[ -](?P<words_unit>{_SPOKEN}|cms?|mm))?)"
     r"(?![\w/])",
     re.IGNORECASE,
 )

@@ -64,7 +64,8 @@ def spoken_depth(text: str, mention: Mention) -> Claim | None:
     noun = noun or (behind[0] if behind else before[-1])
     if noun["other"]:
         return None
-    beside = text[max(start, min(noun.start() - _BESIDE, mention.start)) : end]
+    listed = text.rfind(",", start, noun.start()) + 1  # "two darts in the back, neckline 12 cm deep"
+    beside = text[max(start, listed, min(noun.start() - _BESIDE, mention.start)) : end]
     backs, fronts = list(_BACKS.finditer(beside)), list(_FRONT.finditer(beside))
     is_back = bool(backs) and (not fronts or fronts[-1].start() < backs[-1].start())
     return Claim("back_depth_cm" if is_back else "neck_depth_cm", round(mention.value, 2))

@@ -20,6 +20,12 @@ _ALSO: Mapping[Language, tuple[tuple[str, ...], tuple[str, ...]]] = {
     "pt": (("nem",), ()),
 }
 """Words for "or" and "and" in one language, which mean something else in others."""
+_WITHIN = ("no ", "without ")
+"""How words of the tables begin that refuse something themselves."""
+_LISTED = frozenset(["styles", "fits", "colors", "prints", "fabrics", "parts"])
+_EXACT = frozenset(["mini", "midi", "maxi", "ankle", "knee", "calf"])
+_GOES = frozenset("to with over under out in on from for anywhere straight dancing".split())
+"""Behind "can go": where or with what a garment is worn."""
 _NOES = frozenset(["no", "non", "nein", "nee", "não"])
 """What is said behind the name of what is not wanted."""
 _ADJECTIVES = frozenset(
@@ -46,6 +52,11 @@ def denied_words(words: Sequence[Meaning], language: Language = "en") -> frozens
     found: set[int] = set()
     for k, word in enumerate(words):
         if word.category != "negations":
+            if (
+                word.found.word.startswith(_WITHIN)
+                and (last := _goes_on_behind(words, k, joints)) is not None
+            ):
+                _deny_after(words, last, found, joints)
             continue
         if _is_answer(words, k):
             found.add(k - 1)
@@ -56,6 +67,22 @@ def denied_words(words: Sequence[Meaning], language: Language = "en") -> frozens
             if before is not None and not _came_from(words, before, k):
                 found.add(before)
     return frozenset(found)
+
+
+def _goes_on_behind(words: Sequence[Meaning], k: int, joints: _Joints) -> int | None:
+    """Behind which word a list goes on that begins with "no sleeves", a word of the tables; None without one.
+
+    So it is in "no sleeves, collar or belt", and in "no collar or cuffs".
+    """
+    j = k + 1
+    if j + 1 >= len(words) or words[k].found.gap == "stop":
+        return None
+    if words[j].found.word in joints.ors:
+        return j if _is_listable(words[j + 1]) and not words[j + 1].found.word.startswith(_WITHIN) else None
+    if words[k].found.gap != "pause":
+        return None
+    ends = _ends_with_or(words, j, joints)
+    return k if ends and not words[k + 1].found.word.startswith(_WITHIN) else None
 
 
 def _is_answer(words: Sequence[Meaning], k: int) -> bool:
@@ -79,6 +106,8 @@ def _named_before(words: Sequence[Meaning], k: int) -> int | None:
 def _came_from(words: Sequence[Meaning], named: int, k: int) -> bool:
     """Whether "off" tells where a garment was seen: "that dress off the telly"; parts alone are taken off."""
     goes_on = k + 1 < len(words) and words[k].found.gap == "space"
+    if goes_on and words[k].found.word == "can go" and words[k + 1].found.word in _GOES:
+        return True  # "a jumpsuit you can go to work in"
     return words[k].found.word == "off" and goes_on and words[named].category in ("garments", "generic")
 
 
@@ -88,7 +117,8 @@ def _deny_after(words: Sequence[Meaning], k: int, found: set[int], joints: _Join
     first = True
     while start is not None:
         phrase = _phrase(words, start)
-        bare = len(phrase) == 1 and _can_be_had(words[phrase[0]])
+        named = phrase[0]
+        bare = len(phrase) == 1 and (_can_be_had(words[named]) or _ends_with_or(words, named, joints))
         if (
             not first
             and not bare
@@ -141,6 +171,8 @@ def _listed(words: Sequence[Meaning], k: int) -> int | None:
 
 def _goes_on(words: Sequence[Meaning], k: int, joints: _Joints) -> bool:
     """Whether a word is in the middle of a list: "ruffles, tiers and gathers"."""
+    if _ends_with_or(words, k, joints):
+        return True
     while k + 1 < len(words) and words[k].found.gap == "pause" and _can_be_had(words[k]):
         k += 1
     joined = joints.ors | joints.ands
@@ -166,6 +198,24 @@ def _denied_of(words: Sequence[Meaning], phrase: Sequence[int]) -> Sequence[int]
     if len(phrase) > 1 and words[phrase[-1]].category in ("garments", "parts", "generic"):
         return phrase[:-1]
     return phrase
+
+
+def _ends_with_or(words: Sequence[Meaning], k: int, joints: _Joints) -> bool:
+    """Whether a word is in a list of its like that ends with "or": "orange, brown or mustard".
+
+    So it is in "skinny, flared or cropped", but not in "tight, midi or long", which tells what is wanted.
+    """
+    while k + 1 < len(words) and _is_listable(words[k]) and words[k].found.gap == "pause":
+        k += 1
+    ends = k + 2 < len(words) and _is_listable(words[k]) and words[k].found.gap == "space"
+    return ends and words[k + 1].found.word in joints.ors and _is_listable(words[k + 2])
+
+
+def _is_listable(word: Meaning) -> bool:
+    """Whether a word may stand in a list of what is refused: no exact length may."""
+    if word.category == "lengths":
+        return " " not in word.found.word and word.found.word not in _EXACT
+    return word.category in _LISTED
 
 
 def _can_be_had(word: Meaning) -> bool:

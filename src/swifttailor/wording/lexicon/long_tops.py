@@ -74,8 +74,16 @@ def _is_length(marks: Sequence[WordMark], k: int) -> bool:
     mark = marks[k]
     if mark.denied or mark.role != "word" or not mark.entries or mark.entries[0].category != "lengths":
         return False
-    before = marks[max(0, k - _BESIDE) : k]
+    before = marks[_clause_starts(marks, k) : k]
     return not any(m.role in _OTHERS or m.part in ("sleeves", "slit") for m in before)
+
+
+def _clause_starts(marks: Sequence[WordMark], k: int) -> int:
+    """The first of the words before one that stand in its clause: "long sleeves, to the knee" is two."""
+    j = k
+    while j > max(0, k - _BESIDE) and marks[j].start - marks[j - 1].end <= 1:
+        j -= 1
+    return j
 
 
 def kinds_outgrown(words: WordReading) -> tuple[Claim, ...]:

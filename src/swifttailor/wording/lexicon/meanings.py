@@ -331,7 +331,14 @@ def _list_goes_on(words: Sequence[Meaning], k: int, j: int, known: Vocabulary) -
     """
     if not _goes_on_with(words[j], known):
         return False
-    noun = next((word for word in words[j : j + _REACH] if word.is_noun), None)
+    at = next((n for n in range(j, min(j + _REACH, len(words))) if words[n].is_noun), None)
+    if (
+        at is not None
+        and words[k].category == "lengths"
+        and any(w.category == "lengths" for w in words[j:at])
+    ):
+        return False  # "floor length, short puffed sleeves" tells of two things
+    noun = None if at is None else words[at]
     beside = [[s for s in word.found.senses if s.entry.of] for word in words[k + 1 : j]]
     return noun is None or all(_fitting(senses, _names(noun)) for senses in beside if senses)
 

@@ -8,6 +8,7 @@ from functools import lru_cache
 
 from swifttailor.describing.claims import Claim
 from swifttailor.wording.claim_kinds import fits_kind, implied_kind
+from swifttailor.wording.lexicon.beside_refusals import is_compared, is_said_beside
 from swifttailor.wording.lexicon.colors import NamedColor, named_colors
 from swifttailor.wording.lexicon.conflicts import SCALES, beyond, exclude
 from swifttailor.wording.lexicon.covered_shoulders import with_covered_shoulders
@@ -169,7 +170,8 @@ def _reading(text: str, language: Language, kind: str | None, dialect: Dialect |
             never += refused
             of_names |= set(refused) if any(e.category == "garments" for e in mark.entries) else set()
         else:
-            implied += [one for one in _implied(word, mark) if word.role != "like" or _has_place(one, kinds)]
+            meant = [] if word.role == "like" and is_compared(text, mark.start) else _implied(word, mark)
+            implied += [one for one in meant if word.role != "like" or _has_place(one, kinds)]
     implied = _with_parts_behind(implied)
     implied = with_covered_shoulders(_with_its_collar(_exact_lengths(implied, language)), never, marks)
     # "Tight on top, but not like a ballgown" is tight on top.
@@ -180,6 +182,7 @@ def _reading(text: str, language: Language, kind: str | None, dialect: Dialect |
     never = [claim for claim in never if claim not in of_names]
     named = _names_mean(marks)  # "a mini skirt, but not too short" is still a mini skirt
     never = [claim for claim in dict.fromkeys(never) if claim not in named]
+    never = [claim for claim in never if not is_said_beside(marks, claim)]
     pairs = contradicting_pairs(text, marks, implied)
     kept = _settled([i for i in without_closeness(implied, pairs) if i.claim not in never])
     if kind is None:
