@@ -187,11 +187,21 @@ class _Reader:
                 return self._nouns_from(j, k)
             if category_of(mark) == "prints" and _PLURAL_PRINT.search(mark.word):
                 return []
+            if self._counts(j) and self._is_the_only_color(k):
+                return []  # "polo shirt navy 3 button"
             joins = mark.word.lower() in _AND and j + 1 < len(self._marks) and is_look(self._marks[j + 1])
             if not joins and mark.entries and category_of(mark) not in _BETWEEN:
                 return [] if category_of(mark) == "generic" else None
             j += 1
         return None
+
+    def _counts(self, j: int) -> bool:
+        """Whether a number in figures stands there, behind the garment: "3 button"."""
+        behind = any(mark.role == "garment" for mark in self._marks[:j])
+        return behind and category_of(self._marks[j]) == "numbers" and self._marks[j].word.isdigit()
+
+    def _is_the_only_color(self, k: int) -> bool:
+        return [m for m in self._marks if category_of(m) == "colors" and is_look(m)] == [self._marks[k]]
 
     def _is_made_of(self, k: int) -> bool:
         """Whether a cloth stands behind "de" or "en" in a language in which it is said of what is before."""
@@ -237,9 +247,8 @@ class _Reader:
     def _is_of_garment_before(self, k: int) -> bool:
         """Whether the only colour stands right behind the garment, as in lists: "jumper navy crew neck"."""
         first = k - len(self._shade(k))
-        colors = [mark for mark in self._marks if category_of(mark) == "colors" and is_look(mark)]
         behind = first > 0 and self._marks[first - 1].role == "garment" and not self._is_apart(first)
-        return behind and colors == [self._marks[k]]
+        return behind and self._is_the_only_color(k)
 
     def _joined(self, k: int) -> int | None:
         """The bare part that is joined to the noun k, and has no look of its own."""
