@@ -15,6 +15,8 @@ from swifttailor.wishes.text.names_turned import names_turned
         ("grey skirt school", "grey school skirt"),
         ("black trousers work", "black work trousers"),
         ("jacket leather brown", "leather jacket brown"),
+        ("dress slip black satin", "slip dress black satin"),
+        ("jacket bomber olive", "bomber jacket olive"),
         ("summer frock", "summer dress"),
         ("dress wedding guest", "wedding guest dress"),
     ],
@@ -35,6 +37,7 @@ def test_a_garment_stands_behind_what_it_is(text, turned):
         "dress and jacket leather",
         "frock",
         "frock coat",
+        "jacket jeans",
     ],
 )
 def test_other_texts_stay(text):

@@ -1,4 +1,4 @@
-"""Words of everyday in other languages: persons and costumes, what clothes are to be like, cloth, folds, wearers."""
+"""Words of everyday in other languages: persons and costumes, what clothes are to be like, cloth, folds."""
 
 from __future__ import annotations
 
@@ -74,6 +74,11 @@ def test_a_skirt_is_german_where_all_of_the_text_is(text, language):
         ("polo shirt short sleeve navy 3 button", True),
         ("navy polo shirt 3 button", True),
         ("white polo shirt with navy buttons", False),
+        ("shirt linen navy short sleeve mens", True),
+        ("cardigan long navy pockets", True),
+        ("Bluse dunkelblau Rüschenkragen", True),
+        ("Kleid dunkelblau weißer Kragen", True),
+        ("weiße Bluse, dunkelblauer Rüschenkragen", False),
     ],
 )
 def test_a_color_before_a_count_is_the_garments(text, own):

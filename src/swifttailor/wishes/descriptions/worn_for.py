@@ -150,9 +150,7 @@ def _worn_for(heard: Heard) -> str | None:
 def _of_kind(names: Sequence[str], kind: str) -> list[str]:
     """Those that are of a kind, whatever they are called: joggers are trousers."""
     return [
-        name
-        for name in names
-        if any(i.claim == Claim("kind", kind) for i in read_words(name).implications)
+        name for name in names if any(i.claim == Claim("kind", kind) for i in read_words(name).implications)
     ]
 
 
@@ -194,7 +192,7 @@ def _is_likely_a_dress(heard: Heard) -> bool:
 
 
 def _is_seamed(heard: Heard) -> bool:
-    """Whether a seam at the waist is all that tells of a garment: "drop waist", "empire line with sleeves"."""
+    """Whether a seam at the waist is all that tells of a garment: "drop waist", "empire, with sleeves"."""
     words = heard.words
     if words is None or any(mark.role in (*_NAMES, "second") for mark in words.marks):
         return False

@@ -13,7 +13,7 @@ _SAYS_NOTHING = frozenset({"function", "polite"})
 
 
 def in_english(said: str, language: Language) -> str:
-    """The text with what is unknown in English as it is called there; as it is where it reads as its language.
+    """The text with what is unknown in English as it is called there.
 
     Args:
         said: Of one garment.

@@ -1,11 +1,11 @@
-"""German adjectives that read as comparisons before a noun: "ein weiter Rock" is a wide one, not a wider one."""
+"""German adjectives that read as comparisons before a noun: "ein weiter Rock" is wide, not wider."""
 
 from __future__ import annotations
 
 import re
 
 _ADJECTIVES = re.compile(
-    r"(?<!\w)(?P<stem>weit|eng|schmal|tief|klein|locker|breit|nieder|hell|dunkl)er(?= [A-ZÄÖÜ][a-zäöüß]{2,})"
+    r"(?<!\w)(?P<stem>weit|eng|schmal|tief|locker|breit|nieder|hell|dunkl)er(?= [A-ZÄÖÜ][a-zäöüß]{2,})"
 )
 """Before a noun of the first case, none of which is a change: "einen weiteren Rock" has another ending."""
 

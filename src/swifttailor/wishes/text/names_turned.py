@@ -21,8 +21,13 @@ _JOINS = re.compile(
     re.IGNORECASE,
 )
 """Words of sentences, in which garments stand behind what they are."""
+_ALSO_KINDS = frozenset(
+    "bomber puffer slip sweater jumper kaftan mermaid kimono trench duffle polo pinafore bikini".split()
+)
+"""Names of garments that tell which dress, jacket or coat it is, too."""
 _GUESTS = re.compile(
-    r"(?<!\w)(?:guest dress (?:for )?(?:a )?wedding|dress wedding guest|wedding dress guest)(?!\w)", re.IGNORECASE
+    r"(?<!\w)(?:guest dress (?:for )?(?:a )?wedding|dress wedding guest|wedding dress guest)(?!\w)",
+    re.IGNORECASE,
 )
 _FROCK = re.compile(r"(?<!\w)([^\W\d_]+) frock(?!\w)", re.IGNORECASE)
 _GUEST_DRESS = "wedding guest dress"
@@ -44,7 +49,7 @@ def names_turned(text: str) -> str:
 
 
 def _as_a_dress(found: re.Match[str]) -> str:
-    """ "Tea dress" for "tea frock"."""
+    """What a frock is called as a dress: "tea dress" for "tea frock"."""
     name = f"{found[1]} dress"
     return name if is_garment(name.lower()) and not is_garment(found[0].lower()) else found[0]
 
@@ -62,7 +67,9 @@ def _is_turned(text: str, words: Sequence[re.Match[str]], k: int, count: int) ->
         return False  # "tea dress floral"
     before = words[k - 1][0].lower() if k else ""
     behind = words[k + 1 + count][0].lower() if k + 1 + count < len(words) else ""
-    if is_garment(" ".join(kind)) or is_garment(behind) or _goes_with(kind[-1], behind):
+    if " ".join(kind) not in _ALSO_KINDS and is_garment(" ".join(kind)):
+        return False
+    if is_garment(behind) or _goes_with(kind[-1], behind):
         return False  # "skirt shirt", "top lace sleeves"
     return before not in PARTS
 

@@ -118,7 +118,7 @@ def _unknown(words: Sequence[Found]) -> int:
 
 
 def _has_own(words: Sequence[Found]) -> bool:
-    """Whether more than short words are no English: "costume de pirate" is French, and no German with a "de"."""
+    """Whether more than short words are no English: "costume de pirate" is French, "de" alone German."""
     return any(
         sense.entry.english is not None and sense.entry.category not in _SAYS_NOTHING
         for found in words
