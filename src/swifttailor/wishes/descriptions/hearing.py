@@ -118,7 +118,7 @@ def _described(text: str, reader: WishReader, *, alone: bool) -> Heard:
     heard = _heard_description(text, reader)
     meant = worn_for(heard) if alone else None
     if meant is not None:
-        again = _heard_description(f"{meant}, {heard.text}", reader)
+        again = _in_its_language(_heard_description(f"{meant}, {heard.text}", reader), heard)
         return replace(again, text=heard.text, guess=meant)
     near = None if _is_named(heard) else guessed_name(heard.unread)
     if near is None:
@@ -128,6 +128,18 @@ def _described(text: str, reader: WishReader, *, alone: bool) -> Heard:
     if again.kind is None:
         return heard
     return replace(again, text=heard.text, unread=tuple(dict.fromkeys([word, *again.unread])), guess=name)
+
+
+def _in_its_language(again: Heard, heard: Heard) -> Heard:
+    """What was heard behind an English name, without what its own language understood or did not lack."""
+    if heard.words is None or heard.words.language == ENGLISH:
+        return again
+    said = {lack.what for lack in heard.lacks}
+    return replace(
+        again,
+        unread=tuple([word for word in again.unread if word in heard.unread]),
+        lacks=tuple([lack for lack in again.lacks if not lack.said or lack.what in said]),
+    )
 
 
 def _is_named(heard: Heard) -> bool:

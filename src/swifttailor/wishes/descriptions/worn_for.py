@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
 
 from swifttailor.describing.claims import Claim
 from swifttailor.describing.differences import Gain
 from swifttailor.wishes.heard import Heard
 from swifttailor.wording.claim_kinds import fits_kind, implied_kind
-from swifttailor.wording.lexicon import Entry, read_words
+from swifttailor.wording.lexicon import Entry, WordMark, read_words
 from swifttailor.wording.lexicon.tokens import words_of
 from swifttailor.wording.lexicon.vocabulary import vocabulary
 
@@ -62,6 +62,8 @@ _DRESS = Claim("kind", "dress")
 _BESIDE_LENGTHS = frozenset(
     "lengths function polite negations degrees generic colors shades prints fabrics".split()
 )
+_SEAMS = frozenset({Claim("waist_seam", "empire"), Claim("waist_seam", "dropped")})
+"""Seams that tops seldom have, so that who names nothing else means a dress."""
 _DRESS_LENGTHS = frozenset({"midi", "maxi", "ankle", "floor"})
 """What belongs to skirts and trousers alone, and lengths that tell of a dress where none of it is named."""
 
@@ -74,7 +76,7 @@ def worn_for(heard: Heard) -> str | None:
     without legs or a waistband, is a dress, and what details tell by themselves is that kind.
     """
     return _undyed(_as_told(_worn_for(heard), heard), heard) or (
-        "dress" if _is_likely_a_dress(heard) else _told_by_details(heard)
+        "dress" if _is_likely_a_dress(heard) or _is_seamed(heard) else _told_by_details(heard)
     )
 
 
@@ -118,10 +120,11 @@ def _told_by_details(heard: Heard) -> str | None:
 def _worn_for(heard: Heard) -> str | None:
     marks = () if heard.words is None else [mark for mark in heard.words.marks if not mark.denied]
     entries = [entry for mark in marks for entry in mark.entries if entry.worn]
-    names = {mark.word.lower() for mark in marks if mark.role in _NAMES}
+    names = {_english(mark) for mark in marks if mark.role in _NAMES}
     if names and (kind := _mere_kind(names)) is not None:
         first = min(entries, key=_order, default=None)
-        chosen = [name for name in (first.worn_as if first is not None else ()) if name.endswith(kind)]
+        worn_as = first.worn_as if first is not None else ()
+        chosen = [name for name in worn_as if name.endswith(kind)] or _of_kind(worn_as[1:], kind)
         told = {w.change.claim.name for w in heard.sure if isinstance(w.change, Gain)}
         if chosen and not ("sleeves" in told and chosen[0] == _LONG_SLEEVED):  # "a top for Christmas"
             return chosen[0]
@@ -143,6 +146,19 @@ def _worn_for(heard: Heard) -> str | None:
         if all(_may_have(kind, claim.name, claim.value) for kind in kinds for claim in details):
             return entry.worn
     return None
+
+
+def _of_kind(names: Sequence[str], kind: str) -> list[str]:
+    """Those that are of a kind, whatever they are called: joggers are trousers."""
+    return [
+        name for name in names if any(i.claim == Claim("kind", kind) for i in read_words(name).implications)
+    ]
+
+
+def _english(mark: WordMark) -> str:
+    """The name of a garment; that of the entry that a word of another language stands for."""
+    named = next((entry.english for entry in mark.entries if entry.english), None)
+    return (named or mark.word).lower()
 
 
 def _mere_kind(names: Collection[str]) -> str | None:
@@ -176,6 +192,16 @@ def _is_likely_a_dress(heard: Heard) -> bool:
         return True
     alone = all(m.entries and m.entries[0].category in _BESIDE_LENGTHS for m in marks)  # "knee length"
     return any(claim.value in _DRESS_LENGTHS for claim in hems) or (alone and bool(hems))
+
+
+def _is_seamed(heard: Heard) -> bool:
+    """Whether a seam at the waist is all that tells of a garment: "drop waist", "empire, with sleeves"."""
+    words = heard.words
+    if words is None or any(mark.role in (*_NAMES, "second") for mark in words.marks):
+        return False
+    said = {i.claim for i in words.implications if i.said and i.certainty == "certain"}
+    legs = any(claim.name in _OF_LOWER - {"skirt", "skirt_length_cm", "hips"} for claim in said)
+    return not (legs or said.isdisjoint(_SEAMS))
 
 
 def _may_have(kind: str, name: str, value: object) -> bool:

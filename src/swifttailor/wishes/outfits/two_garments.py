@@ -16,6 +16,7 @@ from swifttailor.wishes.outfits.aprons import with_apron_put_on
 from swifttailor.wishes.outfits.first_piece import first_piece
 from swifttailor.wishes.outfits.hooded_outfits import with_hooded_top
 from swifttailor.wishes.outfits.named_again import told_behind_names
+from swifttailor.wishes.outfits.names_among_words import in_english
 from swifttailor.wishes.outfits.one_cloth import is_a_mood
 from swifttailor.wishes.outfits.outfit_chunks import Chunk, bare, chunks_of
 from swifttailor.wishes.outfits.outfit_halves import HALVES, Half, half_named
@@ -114,7 +115,7 @@ def _parted(text: str, words: WordReading) -> TwoGarments | None:
         return None
     layered = pieces.layered or (pieces.is_one_name and _is_for_one_half(pieces))
     wish = (LayeredText if layered else PartedText)(text, words, pieces, chunks)
-    said = [bare(wish.said_of(half), words.language) for half in HALVES]
+    said = [in_english(bare(wish.said_of(half), words.language), words.language) for half in HALVES]
     third = wish.third()
     besides = [mark.word for mark in pieces.besides if third is None or mark is not third.mark]
     if layered:

@@ -6,8 +6,10 @@ import re
 from collections.abc import Sequence
 
 from swifttailor.describing.differences import Change
+from swifttailor.wishes.text.german_adjectives import adjectives_plainly
 from swifttailor.wishes.text.joined_words import with_parts_apart
 from swifttailor.wishes.text.lexicon_spelling import is_garment, lexicon_spelling
+from swifttailor.wishes.text.names_turned import names_turned
 from swifttailor.wishes.text.spelling import common_slip, put_right
 from swifttailor.wishes.text.spoken_measures import SpokenMeasure
 from swifttailor.wishes.text.unread import unread_numbers
@@ -120,13 +122,13 @@ def _turned(text: str) -> str:
             return found[0]
         return name
 
-    text = _NONE_OF.sub(r"no \1", text)
+    text = adjectives_plainly(_NONE_OF.sub(r"no \1", text))
     text = _without_list_numbers(_corrected(_WITHDRAWN.sub("", text)))
     text = _SAY.sub(" ", text)
     text = _ABOUT.sub(r"\1 ", text)
     for short, long in _SHORTENED:
         text = short.sub(long, text)
-    text = with_parts_apart(_FROM.sub(turned, _OF.sub(turned, text)))
+    text = with_parts_apart(names_turned(_FROM.sub(turned, _OF.sub(turned, text))))
     return _BODY.sub(r"the \2", _REACHES.sub(r"to the \2", text))
 
 

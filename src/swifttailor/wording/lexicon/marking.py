@@ -19,7 +19,7 @@ _HALF = 0.5
 """Some languages share so many words with English that at least so many have to be theirs."""
 _SHARING: frozenset[Language] = frozenset(["it", "nl", "pt"])
 """These languages: "in", "over", "top" and "is" are Dutch, "no" and "in" Italian."""
-_ALSO_FOREIGN: Mapping[str, Language] = {"gonna": "it"}
+_ALSO_FOREIGN: Mapping[str, Language] = {"gonna": "it", "rock": "de"}
 """Words of English that name garments elsewhere: English where not all of the text is of that language."""
 _NOUNS_FIRST: Mapping[str, Language] = {"robe": "fr", "salopette": "fr"}
 """Words of English that name other garments where they stand first: "robe bustier", not "satin robe"."""
@@ -81,7 +81,7 @@ def find_words(text: str, language: Language | None = None) -> tuple[Language, t
     readings |= {other: _found(text, other) for other in others}
     best = min(
         [each for each in readings if each not in _SHARING or _is_of(readings[each])],
-        key=lambda each: _unknown(readings[each]),
+        key=lambda each: (_unknown(readings[each]), each != "en", not _has_own(readings[each])),
     )
     return best, readings[best]
 
@@ -115,6 +115,15 @@ def _share_of(text: str, language: Language) -> float:
 
 def _unknown(words: Sequence[Found]) -> int:
     return sum(len(found.word) for found in words if not found.senses)
+
+
+def _has_own(words: Sequence[Found]) -> bool:
+    """Whether more than short words are no English: "costume de pirate" is French, "de" alone German."""
+    return any(
+        sense.entry.english is not None and sense.entry.category not in _SAYS_NOTHING
+        for found in words
+        for sense in found.senses
+    )
 
 
 @lru_cache(maxsize=32)

@@ -19,7 +19,6 @@ from swifttailor.wording.lexicon.look_words import (
     STRIPES,
     category_of,
     color_of_word,
-    contrasting,
     holds_up,
     is_cloth,
     is_detail,
@@ -31,7 +30,7 @@ from swifttailor.wording.lexicon.look_words import (
     part_of_garment,
     put_on,
 )
-from swifttailor.wording.lexicon.said_blocks import BLOCKS, blocks_named, own_colors, second_color
+from swifttailor.wording.lexicon.said_blocks import BLOCKS, own_colors, with_blocks
 from swifttailor.wording.lexicon.said_look import OPAQUE, OTHER, WHOLE, SaidLook
 from swifttailor.wording.lexicon.said_sides import with_sides
 
@@ -59,6 +58,10 @@ _ARTICLES = frozenset("a an the its his her my".split())
 _DEFINITE = frozenset("the its his her my".split())
 _NOUN_FIRST: frozenset[Language] = frozenset({"fr", "es", "it", "pt"})
 """Languages in which colours stand behind their noun."""
+_WITH_ENDINGS: frozenset[Language] = frozenset({"de", "nl"})
+_ENDINGS = ("e", "er", "es", "em", "en")
+_ON_MOST = frozenset({"pockets", "bow", "zip"})
+"""What is put on most garments in their own colour: "cardigan grey pockets" is a grey cardigan."""
 _WITH = frozenset("with mit met con col com avec à au aux in im ad al da mid og".split())
 """First words of names of details that another noun stands before: "met wijde pijpen"."""
 _PLURAL_PRINT = re.compile(r"s$", re.IGNORECASE)
@@ -85,42 +88,13 @@ def said_looks(text: str, marks: Sequence[WordMark], language: Language) -> tupl
         found += reader.by_name(k)
         if is_look(mark) or is_cloth(mark):
             found += reader.of_word(k)
-    return tuple(_with_blocks(with_sides(text, found, _of_no_part(found, marks)), marks))
+    return tuple(with_blocks(with_sides(text, found, _of_no_part(found, marks)), marks))
 
 
 def _of_no_part(found: Sequence[SaidLook], marks: Sequence[WordMark]) -> list[SaidLook]:
     """The colours that are said of no part."""
     colors = [color_of_word(marks, k) for k in range(len(marks))]
     return [SaidLook("", "", colors[k], None, True, (marks[k],)) for k in own_colors(marks, found, colors)]
-
-
-def _with_blocks(found: list[SaidLook], marks: Sequence[WordMark]) -> list[SaidLook]:
-    """The looks with a second colour on blocks, or on what is said to contrast.
-
-    Where none is named it is another than the garment's.
-    """
-    blocks = blocks_named(marks)
-    parts = [] if blocks is None else [(BLOCKS, blocks)]
-    parts += [(str(of), mark) for mark in marks if not mark.denied and (of := contrasting(mark)) is not None]
-    told = [look for look in found if look.cloth == "contrast" and look.color is None]
-    parts += [(look.part, mark) for look in told for mark in look.noun_marks]
-    if not parts:
-        return found
-    colors = [color_of_word(marks, k) for k in range(len(marks))]
-    second = second_color(marks, found, colors)
-    if blocks is not None and len(own_colors(marks, found, colors)) > 2:
-        return [look for look in found if blocks not in look.noun_marks]  # bands, as a print
-    of_blocks = [look for look in found if blocks is not None and blocks in look.noun_marks]
-    found = [look for look in found if look not in of_blocks]
-    colored = {mark for look in found if look.color is not None for mark in look.noun_marks}
-    if second is not None:
-        shade = [marks[second - 1]] if second and any(e.shade for e in marks[second - 1].entries) else []
-        color, of = color_of_word(marks, second), (*shade, marks[second])
-        new = [SaidLook(part, m.word, color, None, True, of, (m,)) for part, m in parts if m not in colored]
-        return [*[look for look in found if look not in told], *new]
-    if blocks is None or colored:  # "two tone, with cream sleeves"
-        return found
-    return [*found, SaidLook(BLOCKS, blocks.word, None, "contrast", True, (), (blocks,))]
 
 
 class _Reader:
@@ -155,7 +129,7 @@ class _Reader:
             if cloth is None or cloth == "contrast":
                 return []
             color, cloth = None, OPAQUE
-        nouns = self._before(k)
+        nouns = [] if self._is_behind_its_noun(k) else self._before(k)
         nouns = self._behind(k) if nouns is None else nouns
         if cloth is None and color is None:  # of another cloth, which is not seen
             cloth, nouns = OTHER, [] if mark.denied else [(j, part) for j, part in nouns if part]
@@ -187,11 +161,23 @@ class _Reader:
                 return self._nouns_from(j, k)
             if category_of(mark) == "prints" and _PLURAL_PRINT.search(mark.word):
                 return []
+            if self._counts(j) and self._is_the_only_one(k):
+                return []  # "polo shirt navy 3 button"
             joins = mark.word.lower() in _AND and j + 1 < len(self._marks) and is_look(self._marks[j + 1])
             if not joins and mark.entries and category_of(mark) not in _BETWEEN:
                 return [] if category_of(mark) == "generic" else None
             j += 1
         return None
+
+    def _counts(self, j: int) -> bool:
+        """Whether a number in figures stands there, behind the garment: "3 button"."""
+        behind = any(mark.role == "garment" for mark in self._marks[:j])
+        return behind and category_of(self._marks[j]) == "numbers" and self._marks[j].word.isdigit()
+
+    def _is_the_only_one(self, k: int) -> bool:
+        """Whether no other colour is named, or, of a cloth, no other cloth."""
+        alike = is_cloth if is_cloth(self._marks[k]) else lambda m: category_of(m) == "colors" and is_look(m)
+        return [m for m in self._marks if alike(m)] == [self._marks[k]]
 
     def _is_made_of(self, k: int) -> bool:
         """Whether a cloth stands behind "de" or "en" in a language in which it is said of what is before."""
@@ -226,7 +212,8 @@ class _Reader:
         if any(mark.role == "garment" for mark in self._marks[j:last]):
             return []  # "black jumpsuit wide legs" is black, as what is typed without commas goes on
         part = self._part(noun)
-        if part is None or (is_way_of_cutting(noun) and self._is_of_garment_before(k)):
+        listed = is_way_of_cutting(noun) or put_on(noun) in _ON_MOST
+        if part is None or (listed and self._is_of_garment_before(k)):
             return []
         found = [(last, part)]
         while part != STRIPES and (after := self._joined(last)) is not None:
@@ -235,11 +222,28 @@ class _Reader:
         return found
 
     def _is_of_garment_before(self, k: int) -> bool:
-        """Whether the only colour stands right behind the garment, as in lists: "jumper navy crew neck"."""
-        first = k - len(self._shade(k))
-        colors = [mark for mark in self._marks if category_of(mark) == "colors" and is_look(mark)]
-        behind = first > 0 and self._marks[first - 1].role == "garment" and not self._is_apart(first)
-        return behind and colors == [self._marks[k]]
+        """Whether the only look of its kind stands behind the garment: "jumper navy crew neck"."""
+        return self._is_behind_garment(k) and self._is_the_only_one(k)
+
+    def _is_behind_garment(self, k: int) -> bool:
+        """Whether it stands right behind the garment, or behind other looks there: "shirt linen blue"."""
+        for j in range(k - 1, -1, -1):
+            mark = self._marks[j]
+            if self._is_apart(j + 1) or mark.role == "garment":
+                return not self._is_apart(j + 1)
+            beside = category_of(mark) in ("lengths", "fits", "shades")
+            if not (beside or is_look(mark) or is_cloth(mark)):
+                return False
+        return False
+
+    def _is_behind_its_noun(self, k: int) -> bool:
+        """Whether it has no ending where colours before nouns have one: "Bluse weiß Rüschenkragen"."""
+        return (
+            self._language in _WITH_ENDINGS
+            and self._is_behind_garment(k)
+            and self._marks[k].word.lower() not in _AND
+            and not self._marks[k].word.lower().endswith(_ENDINGS)
+        )
 
     def _joined(self, k: int) -> int | None:
         """The bare part that is joined to the noun k, and has no look of its own."""
@@ -346,7 +350,7 @@ class _Reader:
             return False
         if category == "styles" and (mark.part is not None or put_on(mark) or is_detail(mark)):
             said = mark.entries[0].english or mark.word.lower()  # "plissada" is "pleated", and no noun
-            return not said.endswith(("ed", "less", "puffy", "frilly", "lacy", "fluffy"))
+            return not said.endswith(("ed", "less", "puffy", "frilly", "lacy", "fluffy", "knit"))
         return False
 
     def _covers_all(self, mark: WordMark) -> bool:

@@ -47,6 +47,7 @@ TABLES: Mapping[Language, tuple[str, ...]] = {
         "german_spoken.txt",
         "german_details.txt",
         "german_colors.txt",
+        "german_everyday.txt",
     ),
     "fr": (
         "french.txt",
@@ -54,6 +55,7 @@ TABLES: Mapping[Language, tuple[str, ...]] = {
         "french_spoken.txt",
         "french_details.txt",
         "french_colors.txt",
+        "french_everyday.txt",
     ),
     "es": (
         "spanish.txt",
@@ -61,6 +63,7 @@ TABLES: Mapping[Language, tuple[str, ...]] = {
         "spanish_spoken.txt",
         "spanish_details.txt",
         "spanish_colors.txt",
+        "spanish_everyday.txt",
     ),
     "it": (
         "italian.txt",
@@ -68,14 +71,23 @@ TABLES: Mapping[Language, tuple[str, ...]] = {
         "italian_spoken.txt",
         "italian_details.txt",
         "italian_colors.txt",
+        "italian_everyday.txt",
     ),
-    "nl": ("dutch.txt", "dutch_lengths.txt", "dutch_spoken.txt", "dutch_details.txt", "dutch_colors.txt"),
+    "nl": (
+        "dutch.txt",
+        "dutch_lengths.txt",
+        "dutch_spoken.txt",
+        "dutch_details.txt",
+        "dutch_colors.txt",
+        "dutch_everyday.txt",
+    ),
     "pt": (
         "portuguese.txt",
         "portuguese_lengths.txt",
         "portuguese_spoken.txt",
         "portuguese_details.txt",
         "portuguese_colors.txt",
+        "portuguese_everyday.txt",
     ),
 }
 _TRANSLATIONS = "words"
