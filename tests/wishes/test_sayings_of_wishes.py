@@ -392,3 +392,36 @@ def test_asides_of_stories_are_put_plainly(text, plain):
 )
 def test_what_goes_over_and_under_legs_is_put_plainly(text, plain):
     assert plainly_wished(text) == plain
+
+
+@pytest.mark.parametrize(
+    ("text", "plain"),
+    [
+        ("boxy blouse that goes over the head", "boxy blouse with a keyhole neck, no collar, no buttons"),
+        ("pull-on blouse, blue", "blouse with a keyhole neck, no collar, no buttons, blue"),
+        (
+            "blouse without buttons, elbow sleeves",
+            "blouse with a keyhole neck, no collar, no buttons, elbow sleeves",
+        ),
+        ("blouse with no zip and no buttons", "blouse with a keyhole neck, no collar, no buttons"),
+        ("cream blouse, over the head", "cream blouse with a keyhole neck, no collar, no buttons"),
+        (
+            "blouse with no buttons, just slip it over my head",
+            "blouse with a keyhole neck, no collar, no buttons",
+        ),
+        ("blouse without buttons, frilled collar", "blouse without buttons, frilled collar"),
+        ("v neck blouse without buttons", "v neck blouse without buttons"),
+        ("blouse without buttons at the back", "blouse without buttons at the back"),
+        ("blouse, neckline 9 cm deep", "blouse, neckline 9 cm deep, no collar"),
+        ("shirt collar blouse, neckline 9 cm deep", "shirt collar blouse, neckline 9 cm deep"),
+        ("blouse, 3/4 sleeves gathered onto a 3 cm band", "blouse, 3/4 sleeves gathered into 3 cm cuffs"),
+        ("blouse, sleeve 42 cm ending in a 3 cm band", "blouse, sleeve 42 cm with 3 cm cuffs"),
+        ("top with sleeves, 3 cm hem band", "top with sleeves, 3 cm hem band"),
+        ("oversized jumper, sleeves too long", "oversized jumper with sleeves past the hands"),
+        ("jumper, sleeves too long for my arms", "jumper, sleeves too long for my arms"),
+        ("tee with batwing sleeves", "batwing tee"),
+        ("batwing sleeved tee dress", "batwing sleeved tee dress"),
+    ],
+)
+def test_how_tops_are_put_on_and_end_is_put_plainly(text, plain):
+    assert plainly_wished(text) == plain
