@@ -420,6 +420,7 @@ def test_what_goes_over_and_under_legs_is_put_plainly(text, plain):
         ("oversized jumper, sleeves too long", "oversized jumper with sleeves past the hands"),
         ("jumper, sleeves too long for my arms", "jumper, sleeves too long for my arms"),
         ("tee with batwing sleeves", "batwing tee"),
+        ("dolman sleeves T-shirt", "batwing tee"),
         ("batwing sleeved tee dress", "batwing sleeved tee dress"),
     ],
 )
