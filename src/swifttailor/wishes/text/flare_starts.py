@@ -81,7 +81,7 @@ def _close(text: str, length: float) -> float | None:
 
 
 def _is_a_length(found: re.Match[str]) -> bool:
-    """Whether a comma parts the flare from a level at the knee: "flared, 3 cm below the knee" is how long it is."""
+    """Whether a comma parts the flare from the knee: "flared, 3 cm below the knee" is how long it is."""
     before = found.string[found.start() : found.start("number")]
     return "," in before and found["what"].lower().startswith("knee")
 
