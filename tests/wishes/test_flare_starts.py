@@ -23,6 +23,7 @@ from swifttailor.wishes.text.unread import unread_numbers
         ("mermaid-skirt", "with a 20 cm flounce", 76.0),
         ("mermaid-skirt", "flare starting 90 cm above the hem", 30.0),
         ("mermaid-skirt", "a hem 30 cm above the floor", None),
+        ("gored-skirt", "panelled skirt, flared, 3 cm below the knee", None),
         ("mermaid-dress(tiers=3)", "flares 10 cm below the knee", None),
         ("circle-skirt", "flare starting 30 cm above the hem", None),
     ],

@@ -43,6 +43,13 @@ def reader() -> WishReader:
         ("Faltenrock", "pleated-skirt", {"length": 60.0}, set()),
         ("dress with a shallow V neck", "skater-dress", {"neck_depth": 18.0}, set()),
         ("gown, straight across the top, no straps", "strapless-dress", {"dip": 0.0}, set()),
+        ("skirt, stretchy", "fitted-skirt", {"flare": 5.0}, {"elastic waist"}),
+        ("jersey skirt", "fitted-skirt", {"flare": 4.0, "hip_ease": 6.0}, {"elastic waist"}),
+        ("pencil skirt, two back darts", "fitted-skirt", {"hip_ease": 2.5}, set()),
+        ("straight skirt, flounce from the knee down", "mermaid-skirt", {"close": 54.0}, set()),
+        ("straight skirt with a flounce at the hem", "mermaid-skirt", {"length": 60.0}, set()),
+        ("navy dress fitted to the knee, then a big flounce", "mermaid-dress", {"close": 54.0}, set()),
+        ("panelled skirt, flared, just below the knee", "gored-skirt", {}, set()),
     ],
 )
 def test_it_begins_so(text, name, options, trims, reader):

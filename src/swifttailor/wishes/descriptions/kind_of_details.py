@@ -20,7 +20,8 @@ _NO_LEGS = frozenset({"dress", "skirt", "top", "tunic"})
 _OF_LEGS = frozenset({"legs", "leg_hem", "leg_cuffs", "inseam_cm", "leg_width_cm", "leg_cuff_cm"})
 _UPPER = frozenset("sleeves sleeve_shape cuffs neckline neck_depth shoulders collar hood bodice".split())
 _UPPER_PARTS = frozenset({"sleeves", "neckline", "collar"})
-_DARTS = re.compile(r"(?:(?:with|back|front|waist|hip|long|two|four) )*darts?$", re.IGNORECASE)
+_OF_A_BODICE = re.compile(r"bust|bodice|chest|brust|oberteil|poitrine|busto|pecho|peito", re.IGNORECASE)
+"""What tells that darts are those of a bodice: skirts have darts, too."""
 _WAISTBAND, _HEM_BAND = Claim("waistband", "waist"), Claim("waistband", "hem")
 
 
@@ -35,9 +36,13 @@ def skirts_of_dresses(text: str, words: WordReading) -> str:
     if not named or any(mark.role in ("like", "second", "theirs") or mark.denied for mark in words.marks):
         return text
     skirts = all(entry.kinds == _SKIRT for mark in named for entry in mark.entries)
-    darts = [i.claim for i in words.implications if i.said and _DARTS.match(i.mark.word)]  # skirts have some
-    said = [i.claim for i in words.implications if i.said and i.certainty == "certain"]
-    said = [claim for claim in said if claim not in darts]
+    said = [
+        i.claim
+        for i in words.implications
+        if i.said
+        and i.certainty == "certain"
+        and not (i.claim.name == "bodice" and not _OF_A_BODICE.search(text[i.mark.start : i.mark.end]))
+    ]
     upper = any(claim.name in _UPPER and claim.value != "none" for claim in said)
     upper |= any(m.part in _UPPER_PARTS and m.role == "word" for m in words.marks)
     return f"dress, {text}" if skirts and upper else text

@@ -35,7 +35,7 @@ _ABOUT = {
     "gores": "gores skirt",
     "godets": "godets skirt",
     "skirt": "skirt skirt_hem hem_cm skirt_length_cm hips tiers gores",
-    "darts": "bodice",
+    "darts": "bodice skirt",
 }
 """Claims that are about a part; parts that are named only to say where something is are left out."""
 _HIGH_NECKS = frozenset(

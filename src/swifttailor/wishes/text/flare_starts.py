@@ -57,13 +57,17 @@ def flare_as_said(draft: NamedDraft, text: str, claims: Sequence[Claim]) -> Name
 
 def flare_figures(text: str) -> tuple[tuple[int, int], ...]:
     """Where figures stand that tell where a skirt begins to flare: start and end of each."""
-    found = [*_FROM.finditer(text), *_HIGH.finditer(text)]
+    levels = [m for m in _FROM.finditer(text) if not _is_a_length(m)]
+    found = [*levels, *_HIGH.finditer(text)]
     return tuple([(m.start("number"), m.end("unit")) for m in found])
 
 
 def _close(text: str, length: float) -> float | None:
     """From the waist to where it begins to flare, cm; None where no figure says so."""
-    if (found := _FROM.search(text)) is not None:
+    found = _FROM.search(text)
+    if found is not None and _is_a_length(found):
+        found = None
+    if found is not None:
         amount, what = _in_cm(found), found["what"].lower()
         if what.startswith(("hem", "bottom", "floor", "ground")):
             return length - amount
@@ -74,6 +78,12 @@ def _close(text: str, length: float) -> float | None:
         return _KNEE_CM + (amount if found["where"].lower() in ("below", "under") else -amount)
     found = _HIGH.search(text)
     return None if found is None else length - _in_cm(found)
+
+
+def _is_a_length(found: re.Match[str]) -> bool:
+    """Whether a comma parts the flare from the knee: "flared, 3 cm below the knee" is how long it is."""
+    before = found.string[found.start() : found.start("number")]
+    return "," in before and found["what"].lower().startswith("knee")
 
 
 def _in_cm(found: re.Match[str]) -> float:
