@@ -40,3 +40,16 @@ def test_it_is_kept_and_said(jacket):
 def test_what_lacks_nothing_or_more_than_details_is_not(jacket, others):
     assert not keeps_its_kind(replace(jacket, verdict=replace(jacket.verdict, **others)))
     assert not keeps_its_kind(replace(jacket, draft="t-shirt"))
+
+
+@pytest.mark.parametrize(
+    ("claim", "kept"),
+    [
+        (Claim("bodice", "darted"), True),
+        (Claim("neckline", "v"), False),
+        (Claim("waist_seam", "natural"), False),
+    ],
+)
+def test_shirts_are_kept_where_they_lack_darts_alone(jacket, claim, kept):
+    shirt = replace(jacket, draft="shirt", verdict=replace(jacket.verdict, open=(Gain(claim),)))
+    assert keeps_its_kind(shirt) == kept

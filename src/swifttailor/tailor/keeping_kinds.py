@@ -29,6 +29,8 @@ DETAILS = frozenset(
     | {"neck_depth", "back_depth", "back_neckline", "hem_shape", "waistband", "straps", "rise"}
 )
 """Names of claims that matter less than what the garment is."""
+_SHIRT, _DETAILS_OF_SHIRTS = "shirt", frozenset({"bodice"})
+"""Other sources know shirts, too, but none with its collar: to lack these alone is no reason for theirs."""
 
 
 def keeps_its_kind(answer: Answer) -> bool:
@@ -41,4 +43,6 @@ def keeps_its_kind(answer: Answer) -> bool:
     if answer.drafted is None or answer.prepared is None or verdict.unsound or verdict.refused:
         return False
     lacking = [change.claim.name if isinstance(change, Gain) else "" for change in verdict.open]
+    if answer.draft == _SHIRT:
+        return bool(lacking) and _DETAILS_OF_SHIRTS.issuperset(lacking)
     return answer.draft in OF_NO_OTHER_SOURCE and bool(lacking) and DETAILS.issuperset(lacking)
