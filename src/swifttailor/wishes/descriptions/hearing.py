@@ -50,6 +50,7 @@ from swifttailor.wishes.descriptions.kind_of_details import (
     without_wrong_kind,
 )
 from swifttailor.wishes.descriptions.made_into import made_into_a_dress
+from swifttailor.wishes.descriptions.named_alone import kind_named_alone
 from swifttailor.wishes.descriptions.sayings_of_wishes import plainly_wished, without_asides
 from swifttailor.wishes.descriptions.united import explained, united
 from swifttailor.wishes.descriptions.unmeant_guesses import without_guesses
@@ -87,8 +88,6 @@ from swifttailor.wishes.trims.button_counts import buttons_stated
 from swifttailor.wording.claim_kinds import fits_kind
 from swifttailor.wording.lexicon import (
     SURENESS,
-    Implication,
-    WordMark,
     WordReading,
     exclude,
     glossed,
@@ -192,7 +191,7 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
         *[w for w in found if not _is_outdone(w, said, never) and w.change not in _changes(stated)],
     )
     if before.language == words.language == ENGLISH:
-        alone = _kind_named_alone(text, words)
+        alone = kind_named_alone(text, words)
         found = described_as_a_whole(
             found,
             whole(),
@@ -272,27 +271,6 @@ def _starts(word: str, text: str) -> list[int]:
     return [m.start() for m in re.finditer(rf"(?<!\w){re.escape(word)}(?!\w)", text)]
 
 
-def _kind_named_alone(text: str, words: WordReading) -> list[Implication]:
-    """The kind of the one garment that is named, where nothing says that another is meant ("over jeans")."""
-    names = [
-        m
-        for m in words.marks
-        if m.role not in ("part", "theirs") and any(e.category in _NAMES_THINGS for e in m.entries)
-    ]
-    kinds = [i for i in words.implications if i.claim.name == "kind" and i.mark.role == "garment"]
-    whole = {i.claim.value for i in kinds} <= _WHOLE_KINDS
-    short = len(words.marks) <= _NO_STORY or (len(names) == 1 and _opens_with(names[0], words))
-    alone = (short or whole) and len(names) == 1
-    alone = alone and not _BESIDE.search(text[: names[0].start])
-    return kinds if alone and len({i.claim.value for i in kinds}) == 1 else []
-
-
-def _opens_with(name: WordMark, words: WordReading) -> bool:
-    """Whether a text begins with a name and its adjectives: who then tells a story tells it of that."""
-    before = [m for m in words.marks if m.start < name.start]
-    return not any(m.denied or not m.entries or m.entries[0].category not in _LEADS for m in before)
-
-
 def _outdone(words: WordReading) -> list[Gain]:
     """What names usually stand for and a detail contradicts, and what words for fits speak against."""
     meant = {i.claim for i in words.implications}
@@ -360,16 +338,8 @@ def _within_names(network: Sequence[Wish], words: WordReading) -> list[Wish]:
     return found
 
 
-_BESIDE = re.compile(r"\b(?:something|anything|outfit|with|over|under\w*|like|match\w*|for)\b", re.IGNORECASE)
 _BARE_ARMS = Claim("sleeves", "none")
-_FEW_WORDS, _NO_STORY = 5, 9
-_LEADS = frozenset(
-    "function polite colors shades prints fabrics styles fits lengths occasions sizes degrees numbers".split()
-)
-"""Categories of words that may stand before the name of the garment that a text begins with."""
-_NAMES_THINGS = ("garments", "accessories", "generic")
-_WHOLE_KINDS = frozenset({"dress", "jumpsuit", "playsuit"})
-"""Kinds with skirts or legs: who speaks of these at length still asks for the whole."""
+_FEW_WORDS = 5
 _LOWER_KINDS = frozenset({"skirt", "trousers", "shorts"})
 _BARE_SHOULDERS = Claim("shoulders", "strapless")
 """Where a word makes this no more than usual, as a heart does, sleeves that are named cover them."""
