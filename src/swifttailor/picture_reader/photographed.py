@@ -84,7 +84,7 @@ def as_photograph(
         cut = person.cut_out(pixels)
         signs = WornSigns.of(pixels, person, cut, told, called)
         shown = _within(read(cut, whole, chest=person.chest(cut[0]), signs=signs), person)
-        return replace(shown, figures="one", is_photograph=True)
+        return replace(_with_legs(shown, person), figures="one", is_photograph=True)
     unseen = not of_all.parts or of_all.figures == "none"
     if person is None or (unseen and person.certainty < SURELY_SOMEBODY):
         return None
@@ -95,7 +95,7 @@ def as_photograph(
         return None
     figures = "several" if of_all.figures == "several" else "one"
     worn = with_hems_near_knees(_within(shown, person), LegJoints.of(person.joints))
-    return replace(worn, figures=figures, is_photograph=True)
+    return replace(_with_legs(worn, person), figures=figures, is_photograph=True)
 
 
 def _within(read: PictureReading, person: Person) -> PictureReading:
@@ -107,16 +107,29 @@ def _within(read: PictureReading, person: Person) -> PictureReading:
         shown = np.where(masks["upper"] > 0.5, np.float32(0), masks["lower"])
         if (shown > 0.5).sum() > _LEAST_LEFT * (masks["lower"] > 0.5).sum():
             masks["lower"] = shown
-    for part in read.parts:
-        if part.part == "lower":
-            above = masks["upper"] if "upper" in masks else np.float32(0)
-            free = np.where(above > 0.5, np.float32(0), person.mask)
-            masks["lower"] = with_legs_of_joints(masks["lower"], free, person.joints, reach_of(part))
     return replace(read, parts=tuple(replace(part, mask=masks[part.part]) for part in read.parts))
 
 
+def _with_legs(read: PictureReading, person: Person) -> PictureReading:
+    """What is read, whose lower garment is seen on the legs where it is hardly pointed at.
+
+    Where masks end tells of hems (`with_hems_near_knees`), so these are filled afterwards.
+    """
+    masks = {part.part: part.mask for part in read.parts}
+    free = np.where(masks.get("upper", np.float32(0)) > 0.5, np.float32(0), person.mask)
+    parts = [
+        replace(part, mask=with_legs_of_joints(part.mask, free, person.joints, reach_of(part)))
+        if part.part == "lower"
+        else part
+        for part in read.parts
+    ]
+    return replace(read, parts=tuple(parts))
+
+
 def _is_a_bit(person: Person, pixels: Pixels) -> bool:
-    """Whether what is taken for somebody before a plain ground is a small bit of what is there."""
+    """Whether what is hardly taken for somebody before a plain ground is a small bit of what is there."""
+    if person.certainty >= SURELY_SOMEBODY:
+        return False
     return bool((person.mask > 0.5).sum() < _LEAST_OF_SHOWN * before_ground(pixels).sum())
 
 
