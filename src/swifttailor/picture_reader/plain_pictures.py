@@ -35,5 +35,10 @@ def one_colour_around(pixels: Pixels) -> bool:
     return bool((apart <= _ALIKE).mean() >= _SHARE)
 
 
+def colour_around(pixels: Pixels) -> NDArray[np.float64]:
+    """(3,) the usual colour of the border of a picture (h, w, 3), 0 to 255."""
+    return np.asarray(np.median(_border(pixels), axis=0), np.float64)
+
+
 def _border(pixels: Pixels) -> NDArray[np.int16]:
     return np.concatenate([pixels[0], pixels[-1], pixels[:, 0], pixels[:, -1]]).astype(np.int16)

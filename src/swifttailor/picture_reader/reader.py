@@ -42,6 +42,7 @@ from swifttailor.picture_reader.said_reading import DESIGNS, reading_of
 from swifttailor.picture_reader.squares import around, halves, scaled
 from swifttailor.picture_reader.view import Square, view_in
 from swifttailor.picture_reader.worn_heads import WornHeads
+from swifttailor.picture_reader.worn_names import with_name
 from swifttailor.picture_reader.worn_signs import WornSigns, with_signs, worn_below
 from swifttailor.programs.read_parameter import ReadParameter
 from swifttailor.render.pixels import require_picture
@@ -116,6 +117,8 @@ class PictureReader:
     """Gives what has seen nothing but photographs, and tells a few claims of somebody who is cut out."""
     photograph_head: Callable[[], PhotographHead] | None = None
     """Gives another that tells photographs from drawings, where the one in `shop` sees a drawing."""
+    names: Callable[[], LaidHeads] | None = None
+    """Gives what tells what clothes are called, of somebody who is cut out."""
     prints: Callable[[], PrintHead] | None = None
     """Gives what tells prints apart in photographs."""
     laid_heads: Callable[[], LaidHeads] | None = None
@@ -170,7 +173,7 @@ class PictureReader:
         if laid:
             told = cache(lambda: LaidHeads.load(heads().trunk, threads=threads))
             of_laid = cache(lambda: replace(PictureReader._opened(laid, threads), laid_heads=told))
-            reader = replace(reader, laid=of_laid)
+            reader = replace(reader, laid=of_laid, names=told)
         if shop:
             people = cache(lambda: PersonFinder.load(threads=threads))
             reader = replace(reader, shop=cache(lambda: PictureReader._opened(shop, threads)), people=people)
@@ -250,7 +253,8 @@ class PictureReader:
                 self.people,
                 shop.at_frames,
                 self.heads,
-                self._looks_real(pixels, whole),
+                looks_real,
+                self.names,
             )
             if read is not None:
                 return read
@@ -309,7 +313,8 @@ class PictureReader:
         if signs is not None:
             street = legs is not None
             seen = {k: (at, with_signs(told, signs, k, street=street)) for k, (at, told) in seen.items()}
-        return reading_of(answers, whole, seen, pixels.shape[:2], self.parameters)
+        read = reading_of(answers, whole, seen, pixels.shape[:2], self.parameters)
+        return read if signs is None else with_name(read, signs.called)
 
     def _at_frames(self, views: Sequence[View]) -> dict[str, Any]:
         frames = [(pixels, scaled(square, k)) for pixels, square in views for k in _SHOP_SCALES]

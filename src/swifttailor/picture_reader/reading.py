@@ -84,8 +84,8 @@ class PartReading:
     design: SeenDesign | None = None
     """Where the network reads design parameters."""
     called: str = ""
-    """What clothes that nobody wears are called in photographs that a network has learnt from: "Shirt"; where
-    it is sure of that."""
+    """What clothes are called in photographs that a network has learnt from: "Shirt"; where it is sure of
+    that. On somebody jackets and coats alone have a name, "Outwear"."""
     print: SeenPrint | None = None
     """Of its cloth; None of plain cloth, where that is not sure, and in drawn pictures."""
 

@@ -92,7 +92,14 @@ class WornHeads:
 
     def told(self, views: Mapping[str, View]) -> dict[str, dict[str, float]]:
         """The logarithm of the share of each word, of each claim whose views are there."""
-        features = {name: features_of(self.trunk, *view) for name, view in views.items()}
+        return self.told_of(self.features(views))
+
+    def features(self, views: Mapping[str, View]) -> dict[str, NDArray[np.float32]]:
+        """(F,) what the trunk makes of each view."""
+        return {name: features_of(self.trunk, *view) for name, view in views.items()}
+
+    def told_of(self, features: Mapping[str, NDArray[np.float32]]) -> dict[str, dict[str, float]]:
+        """What `told` says, of features of the same views."""
         found = {}
         for claim, needed in HEADS.items():
             if all(name in features for name in needed):

@@ -16,11 +16,13 @@ import numpy as np
 from swifttailor.arrays import Pixels
 from swifttailor.picture_reader.bare_limbs import BareLimbs
 from swifttailor.picture_reader.labels import statement_labels
+from swifttailor.picture_reader.laid_heads import LaidHeads
 from swifttailor.picture_reader.person_finder import Person
 from swifttailor.picture_reader.person_halves import LOWER, UPPER, Answers, View
 from swifttailor.picture_reader.reweighing import reweighed
 from swifttailor.picture_reader.said import share_of
 from swifttailor.picture_reader.worn_heads import COLLARED, WornHeads, views_of
+from swifttailor.picture_reader.worn_names import worn_name
 
 FOREARMS: Mapping[str, float] = MappingProxyType(
     {"none": 1, "cap": 1, "short": 1, "elbow": 1, "three-quarter": 0.5, "long": 0}
@@ -56,9 +58,17 @@ class WornSigns:
     limbs: BareLimbs = field(default_factory=BareLimbs)
     told: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
     """Of claims the logarithm of the share of each word (`WornHeads.told`)."""
+    called: str = ""
+    """What is worn on the shoulders is called (`worn_name`); empty where that is not sure."""
 
     @staticmethod
-    def of(pixels: Pixels, person: Person, cut_out: View, heads: WornHeads | None) -> WornSigns:
+    def of(
+        pixels: Pixels,
+        person: Person,
+        cut_out: View,
+        heads: WornHeads | None,
+        names: LaidHeads | None = None,
+    ) -> WornSigns:
         """Looks at somebody.
 
         Args:
@@ -66,11 +76,14 @@ class WornSigns:
             person: Somebody in it.
             cut_out: What their `cut_out` gives of it.
             heads: What has seen nothing but photographs; None: limbs alone tell.
+            names: Tells on the same trunk what clothes are called; nothing is called so without it.
         """
         limbs = person.limbs(pixels)
         if heads is None:
             return WornSigns(limbs)
-        return WornSigns(limbs, heads.told(views_of(pixels, cut_out, person.joints)))
+        features = heads.features(views_of(pixels, cut_out, person.joints))
+        called = "" if names is None else worn_name(names, features)
+        return WornSigns(limbs, heads.told_of(features), called)
 
 
 def with_signs(answers: Answers, signs: WornSigns, part: int, *, street: bool) -> Answers:

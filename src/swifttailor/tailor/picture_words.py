@@ -11,6 +11,8 @@ from collections.abc import Iterable, Mapping
 from types import MappingProxyType
 
 from swifttailor.picture_reader.reading import PartReading
+from swifttailor.picture_reader.worn_names import OUTER
+from swifttailor.tailor.outer_words import outer_noun
 
 _SURE, _RATHER = 0.5, 0.6
 _SHORT, _OF_COATS = ("cap", "short", "elbow"), ("three-quarter", "long", "extra-long")
@@ -79,7 +81,6 @@ _CALLED: Mapping[str, tuple[str, frozenset[str]]] = MappingProxyType(
         "Shirt": ("shirt", frozenset({"neckline"})),
         "Polo": ("polo shirt", frozenset({"neckline"})),
         "Blazer": ("blazer", frozenset({"neckline", "sleeves"})),
-        "Outwear": ("jacket", frozenset({"neckline"})),
         "Hoodie": ("hoodie", frozenset({"neckline", "sleeves"})),
     }
 )
@@ -128,10 +129,15 @@ def in_words(
     if kind == "skirt":
         words = [_SKIRT_HEMS.get(said.get("skirt_hem", "")), _SKIRTS.get(said.get("skirt", ""))]
         return _joined(words, "" if named else kind)
+    if over and kind in ("jumpsuit", "playsuit"):  # whose legs are the trousers'
+        kind = "top"
     noun, told = _upper_noun(kind, said)
-    if kind in ("top", "tunic"):
+    outer = outer_noun(kind, said) if part.called == OUTER else None
+    if outer is not None:
+        noun, told = outer
+    elif kind in ("top", "tunic"):
         noun, told = _CALLED.get(part.called, (noun, told))
-    if over and kind == "dress" and said.get("sleeves", "long") in _OF_COATS:
+    if over and outer is None and kind == "dress" and said.get("sleeves", "long") in _OF_COATS:
         noun, told = "coat", frozenset({"neckline", "sleeves"})
     hem_name, hems = _HEMS[kind]
     words = [_FITS.get(said.get("fit", "")), hems.get(said.get(hem_name, ""))]
