@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -11,7 +12,7 @@ from swifttailor.arrays import Array, Floats
 _FROM, _TO = 0.72, 1.05
 """Where hands are, in lengths of the arm from its joint to the tip of the hand: from above the wrist on."""
 _BESIDE_CM = 13.0
-"""Cloth further from the arm than this is no sleeve, cm."""
+"""A sleeve further from the arm than this is the other one, cm."""
 _SLICE_CM, _SECTORS, _WINDOW = 1.0, 16, 2
 """How thick a slice across the arm is, in how many sectors it is looked at, and how many slices on either
 side tell of it: cloth has a vertex every 2 cm."""
@@ -21,29 +22,42 @@ _ROOM_CM, _LEAST_CM = 0.7, 0.6
 """How far a hand stays off the vertices of the cloth, whose triangles cut its curves; how thin it may get."""
 
 
-def hands_in_sleeves(vertices: Floats, cloth: Floats, arms: Iterable[tuple[Array, Array, float]]) -> Floats:
+@dataclass(frozen=True, eq=False)
+class Arm:
+    """An arm in the pose that it has."""
+
+    joint: Array
+    """(3,) its upper end, cm."""
+    axis: Array
+    """(3,) unit direction from there to the tip of the hand."""
+    length: float
+    """How far away that is, cm."""
+    vertices: Array
+    """(k,) which vertices of the body are this arm's."""
+
+
+def hands_in_sleeves(vertices: Floats, sleeves: Floats, arms: Iterable[Arm]) -> Floats:
     """Makes hands narrower wherever they would come through a sleeve that goes around them.
 
     Args:
         vertices: (n, 3) of a body, cm.
-        cloth: (k, 3) of what is worn, cm.
-        arms: Of each arm the joint (3,), the unit direction (3,) to the tip of the hand, and how far away
-            that is, cm.
+        sleeves: (k, 3) of the sleeves alone, cm: beside hanging arms there is other cloth.
+        arms: Of the body.
 
     Returns:
         (n, 3) moved towards the middle of the sleeve; the vertices themselves where none has to be.
     """
-    for joint, axis, length in arms:
-        across = np.linalg.svd(axis[None])[2][1:]
-        first = _FROM * length
-        count = int((_TO * length - first) / _SLICE_CM)
-        slices, at = _places(cloth - joint, axis, across, first)
+    for arm in arms:
+        across = np.linalg.svd(arm.axis[None])[2][1:]
+        first = _FROM * arm.length
+        count = int((_TO * arm.length - first) / _SLICE_CM)
+        slices, at = _places(sleeves - arm.joint, arm.axis, across, first)
         near = (slices >= -_WINDOW) & (slices < count + _WINDOW) & (np.linalg.norm(at, axis=1) < _BESIDE_CM)
         if not near.any():
             continue
         middles, radii = _rings(slices[near], at[near], count)
-        own, where = _places(vertices - joint, axis, across, first)
-        inside = np.flatnonzero((own >= 0) & (own < count) & (np.linalg.norm(where, axis=1) < _BESIDE_CM))
+        own, where = _places(vertices[arm.vertices] - arm.joint, arm.axis, across, first)
+        inside = np.flatnonzero((own >= 0) & (own < count))
         inside = inside[np.isfinite(radii[own[inside], 0])]
         off = where[inside] - middles[own[inside]]
         allowed = _allowed(off, radii[own[inside]])
@@ -53,7 +67,7 @@ def hands_in_sleeves(vertices: Floats, cloth: Floats, arms: Iterable[tuple[Array
             continue
         share = (allowed[out] / reach[out] - 1.0)[:, None]
         vertices = vertices.copy()
-        vertices[inside[out]] += (share * off[out]) @ across
+        vertices[arm.vertices[inside[out]]] += (share * off[out]) @ across
     return vertices
 
 

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from swifttailor.arrays import Array
 from swifttailor.body.body import Body
+from swifttailor.body.hands_in_sleeves import Arm, hands_in_sleeves
 from swifttailor.body.measuring import arm_axis
 from swifttailor.body.parts import ARMS
 
@@ -28,7 +29,7 @@ _INWARD_CM = 0.4
 """Under cloth it lies so far inside the body: the triangles of the cloth cut its curves."""
 
 
-def mannequin(body: Body, cloth: Array | None = None) -> tuple[Array, Array]:
+def mannequin(body: Body, cloth: Array | None = None, sleeves: Array | None = None) -> tuple[Array, Array]:
     """The surface that stands for a body in pictures.
 
     The default body has one that is made with care (``scripts/make_mannequin.py``). Of people of other sizes,
@@ -39,6 +40,7 @@ def mannequin(body: Body, cloth: Array | None = None) -> tuple[Array, Array]:
         body: Who wears the garment.
         cloth: (k, 3) points of what is worn, cm. The mannequin fills some hollows of the body; under cloth
             they are empty again, so that it does not show through.
+        sleeves: (s, 3) those of its sleeves, cm; hands stay inside these. None: hands are as they are.
 
     Returns:
         Vertices (n, 3) in cm and faces (m, 3), anticlockwise seen from outside.
@@ -54,25 +56,33 @@ def mannequin(body: Body, cloth: Array | None = None) -> tuple[Array, Array]:
         return made.vertices, made.faces
     from scipy.spatial import KDTree
 
-    from swifttailor.body.hands_in_sleeves import hands_in_sleeves
-
     filled = np.flatnonzero(made.over > 0.0)
     away, _ = KDTree(cloth).query(made.vertices[filled], distance_upper_bound=_FAR_CM)
     share = np.clip((_FAR_CM - away) / (_FAR_CM - _NEAR_CM), 0.0, 1.0)
     vertices = made.vertices.copy()
     vertices[filled] -= (share * made.over[filled])[:, None] * made.normals[filled]
-    return hands_in_sleeves(vertices, cloth, _arms(body)), made.faces
+    if sleeves is None or not len(sleeves):
+        return vertices, made.faces
+    return hands_in_sleeves(vertices, sleeves, _arms(body)), made.faces
 
 
 @functools.lru_cache(maxsize=4)
-def _arms(body: Body) -> list[tuple[Array, Array, float]]:
-    """Joint, direction and length of each arm, see `hands_in_sleeves`."""
+def _arms(body: Body) -> list[Arm]:
+    """The arms of a body that has the mesh of the default one."""
     found = []
     for part in sorted(ARMS):
         joint, axis = arm_axis(body.vertices, body.faces, body.vertex_part, part)
         along = (body.vertices[body.vertex_part == part] - joint) @ axis
-        found.append((joint, axis, float(along.max())))
+        own = np.flatnonzero(_parts_of_mannequin() == part)
+        found.append(Arm(joint, axis, float(along.max()), own))
     return found
+
+
+@functools.cache
+def _parts_of_mannequin() -> NDArray[np.uint8]:
+    """(n,) `BodyPart` of each vertex of the mannequin: that of the nearest one of the default body."""
+    near, _ = _neighbours()
+    return Body.default().vertex_part[near[:, 0]]
 
 
 def _under_cloth(surface: Array, body: Body, cloth: Array) -> Array:

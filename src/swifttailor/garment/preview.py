@@ -17,6 +17,7 @@ from swifttailor.garment.part_looks import color_of_panel
 from swifttailor.garment.puffed_cloth import with_puffs
 from swifttailor.garment.sheer_figure import SheerFigure
 from swifttailor.garment.trim_colors import is_dark, trim_color
+from swifttailor.garment.trunk_cloth import around_trunk
 from swifttailor.pattern.trims.layers import LAYERS
 from swifttailor.pattern.trims.quilting import QUILTING
 from swifttailor.render.backdrop import wall
@@ -79,15 +80,18 @@ def trim_surfaces(garment: Garment, color: Color | None = None) -> list[Surface]
     return surfaces
 
 
-def body_surface(body: Body, color: Color = BODY, *, cloth: Array | None = None) -> Surface:
+def body_surface(
+    body: Body, color: Color = BODY, *, cloth: Array | None = None, sleeves: Array | None = None
+) -> Surface:
     """The body as a shop's mannequin: smooth, matt, without anatomy.
 
     Args:
         body: Who wears the garment.
         color: Of the mannequin.
         cloth: (k, 3) vertices of the garment, cm; see `mannequin`.
+        sleeves: (s, 3) those of its sleeves, cm.
     """
-    vertices, faces = mannequin(body, cloth)
+    vertices, faces = mannequin(body, cloth, sleeves)
     return Surface(vertices, faces, to_linear(color), gloss=0.02)
 
 
@@ -130,7 +134,8 @@ def draw_preview(
     cloth = [*cloth_surfaces(garment, color), *layers]
     others = trim_surfaces(garment, color)
     if body is not None:
-        others.insert(0, body_surface(body, cloth=garment.vertices))
+        sleeves = garment.flat_positions[~around_trunk(garment)]
+        others.insert(0, body_surface(body, cloth=garment.vertices, sleeves=sleeves))
     if any(part.opacity < 1.0 for part in cloth):
         figure = SheerFigure(others, cloth)
         scene, draw = figure.scene, figure.draw
