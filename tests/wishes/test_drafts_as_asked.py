@@ -250,7 +250,7 @@ SLITS = [Claim("slit", "left"), Claim("slit", "right")]
         ("t-shirt(length=38)", SLITS, "t-shirt(length=38;side_slits=14)"),
         ("t-shirt(length=38)", [*SLITS, Claim("slit_cm", 20.0)], "t-shirt(length=38;side_slits=20)"),
         ("t-shirt(length=38)", [*SLITS, Claim("slit_cm", 70.0)], "t-shirt(length=38;side_slits=14)"),
-        ("t-shirt(length=38)", SLITS[:1], "t-shirt(length=38;side_slits=14)"),
+        ("t-shirt(length=38)", SLITS[:1], "t-shirt(length=38)"),
         ("skater-dress", SLITS[:1], "fitted-dress(skirt_length=72)"),
         ("tank-top(length=-3)", [Claim("straps", "narrow")], None),
         ("jumpsuit", [Claim("legs", "wide")], "jumpsuit(leg_ease=42;flare=10)"),

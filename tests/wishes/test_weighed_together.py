@@ -57,6 +57,7 @@ def test_a_slit_on_the_side_is_one():
     both = [Claim("slit", "left"), Claim("slit", "right")]
     assert other_slits("a skirt w/ slit on the side", both) == (Claim("slit", "right"),)
     assert not other_slits("a skirt with slits on the sides", both)
+    assert not other_slits("a shirt with a slit on the side", [*both, Claim("kind", "top")])
 
 
 def test_wide_legs_that_taper_are_roomy_at_the_hips():

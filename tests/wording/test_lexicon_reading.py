@@ -563,3 +563,17 @@ def test_close_cloth_makes_no_jumpsuit_of_leggings(text, kinds):
 def test_what_stands_before_sleeves_is_said_of_them_wherever_they_end(text, shape):
     assert f"sleeve_shape={shape}" in said(text)
     assert "puffball" not in cannot(text)
+
+
+@pytest.mark.parametrize(
+    ("text", "sides"),
+    [
+        ("a shirt with a slit at the side", {"left", "right"}),
+        ("tunic, side slit", {"left", "right"}),
+        ("top with a slit on the left", {"left"}),
+        ("skirt with a side slit", {"left"}),
+        ("dress, slit at the side", {"left"}),
+    ],
+)
+def test_a_slit_at_the_side_of_a_top_is_one_at_either(text, sides):
+    assert {claim for claim in said(text) if claim.startswith("slit=")} == {f"slit={side}" for side in sides}

@@ -30,6 +30,8 @@ _AT_THE_SIDE = re.compile(
     re.IGNORECASE,
 )
 """One at either side, as it is called: "slit on the side"."""
+_TOPS = frozenset({Claim("kind", "top"), Claim("kind", "tunic")})
+"""Whose slit at the side is one at either side, by the lexicon."""
 _SIZES_OF_WORDS = (
     ("cuff_cm", "cuffs", "deep", 12.0, 99.0),
     ("sleeve_cm", "sleeves", "cap", 3.0, 17.0),
@@ -61,6 +63,8 @@ _CLINGS = frozenset(
 def other_slits(text: str, claims: Sequence[Claim]) -> tuple[Claim, ...]:
     """Slits that are refused by asking for one alone: "one slit, on the right"."""
     places = {claim.value for claim in claims if claim.name == "slit"}
+    if places == {"left", "right"} and not _TOPS.isdisjoint(claims):
+        return ()
     if places in (set(), {"left", "right"}) and _AT_THE_SIDE.search(text):
         return (Claim("slit", "right"),)
     if len(places) != 1 or not _ONE_SLIT.search(text):

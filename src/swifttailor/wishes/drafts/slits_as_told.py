@@ -16,8 +16,6 @@ _SIDES = (Claim("slit", "left"), Claim("slit", "right"))
 _HAVE_SIDE_SEAMS = frozenset(
     {"t-shirt", "tank-top", "turtleneck", "shift-dress", "hooded-coat", "shirt", "polo-shirt", "kaftan"}
 )
-_TOPS = frozenset({"t-shirt", "tank-top", "turtleneck", "shirt", "polo-shirt", "kaftan"})
-"""Whose slit "at the side" is one at either side, as tops have them; a skirt has one at the left."""
 _SLIT_BEHIND, _BEHIND, _BEHIND_CM = "shift-dress", Claim("slit", "back"), 22.0
 """The draft whose back may be open above the hem, and how far where nothing is told, cm."""
 _KAFTAN = "kaftan"
@@ -63,8 +61,7 @@ def with_side_slits(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     if draft.name == _SLIT_BEHIND and _BEHIND in claims and BACK_SLIT not in dict(draft.options):
         return replace(draft, options=(*draft.options, (BACK_SLIT, side_slits_cm(claims, usual=_BEHIND_CM))))
     opens = draft.name in _HAVE_SIDE_SEAMS and SIDE_SLITS not in dict(draft.options)
-    wanted = any(slit in claims for slit in _SIDES) if draft.name in _TOPS else slit_at_both_sides(claims)
-    if not opens or not wanted:
+    if not opens or not slit_at_both_sides(claims):
         return draft
     length = side_slits_cm(claims, usual=_HIGH_CM if draft.name == _KAFTAN else _USUAL_CM)
     return replace(draft, options=(*draft.options, (SIDE_SLITS, length)))
