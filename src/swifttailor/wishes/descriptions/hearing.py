@@ -86,13 +86,7 @@ from swifttailor.wishes.text.unread import unread_numbers
 from swifttailor.wishes.trims.big_buttons import not_of_buttons, spans_of_big_buttons
 from swifttailor.wishes.trims.button_counts import buttons_stated
 from swifttailor.wording.claim_kinds import fits_kind
-from swifttailor.wording.lexicon import (
-    SURENESS,
-    WordReading,
-    exclude,
-    glossed,
-    read_words,
-)
+from swifttailor.wording.lexicon import SURENESS, WordReading, exclude, glossed, read_words
 from swifttailor.wording.lexicon.conflicts import SCALES
 from swifttailor.wording.lexicon.long_tops import kinds_outgrown
 

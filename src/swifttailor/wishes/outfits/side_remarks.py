@@ -81,12 +81,17 @@ _PLACE_ON = re.compile(
 """A place on a garment that is there already: "long enough to cover the waistband of my leggings"."""
 
 
+_BLANKS = re.compile(r"(\s)\s+")
+"""Blanks in a row, which patterns would try at every one of them."""
+
+
 def without_side_remarks(text: str) -> str:
     """The text without them, where it names another garment as well.
 
     Args:
         text: A description in any case.
     """
+    text = _BLANKS.sub(r"\1", text)
     for pattern in (*_REMARKS, *_OWNED, _PLACE_ON):
         for found in reversed(list(pattern.finditer(text))):
             if _NOUN.match(found[0]) and text[: found.start()].rstrip()[-1:].isalnum():

@@ -15,6 +15,8 @@ from swifttailor.wording.wordings import all_wordings
 
 SHORTEST = 4
 """Letters: shorter words have too many neighbours."""
+_LONGEST = 40
+"""Longer ones are no words."""
 _WORD = re.compile(r"[^\W\d_]+(?:['-][^\W\d_]+)*")
 _PLACE = re.compile(r"{[^}]*}")
 _ORDINARY = Path(__file__).with_name("ordinary_words.txt")
@@ -30,7 +32,12 @@ def put_right(text: str) -> str:
 def _right(word: str) -> str:
     small = word.lower()
     known = cut_words()
-    if len(small) < SHORTEST or small in known or small in ordinary_words() or not small.isascii():
+    if (
+        not SHORTEST <= len(small) <= _LONGEST
+        or small in known
+        or small in ordinary_words()
+        or not small.isascii()
+    ):
         return word
     # An unknown plural is not an error for its singular, nor the other way round.
     meant = sorted(near for near in neighbours(small) & known if near != f"{small}s" or small[-1] == "s")

@@ -103,6 +103,8 @@ class _Reader:
     def __init__(self, text: str, marks: Sequence[WordMark], language: Language) -> None:
         self._text, self._marks, self._language = text, marks, language
         self._names_garment = any(mark.role == "garment" for mark in marks)
+        self._colors = [mark for mark in marks if category_of(mark) == "colors" and is_look(mark)]
+        self._cloths = [mark for mark in marks if is_cloth(mark)]
 
     def by_name(self, k: int) -> list[SaidLook]:
         """What the word k says together with its noun: "illusion sleeves", or implies: a tulle skirt."""
@@ -176,8 +178,7 @@ class _Reader:
 
     def _is_the_only_one(self, k: int) -> bool:
         """Whether no other colour is named, or, of a cloth, no other cloth."""
-        alike = is_cloth if is_cloth(self._marks[k]) else lambda m: category_of(m) == "colors" and is_look(m)
-        return [m for m in self._marks if alike(m)] == [self._marks[k]]
+        return (self._cloths if is_cloth(self._marks[k]) else self._colors) == [self._marks[k]]
 
     def _is_made_of(self, k: int) -> bool:
         """Whether a cloth stands behind "de" or "en" in a language in which it is said of what is before."""
@@ -327,9 +328,7 @@ class _Reader:
         """Whether the only colour or cloth stands behind a detail: "coveralls short sleeve orange" are."""
         mark = self._marks[j]
         detail = category_of(mark) == "styles" and (" " in mark.word or is_way_of_cutting(mark))
-        colors = [m for m in self._marks if category_of(m) == "colors" and is_look(m)]
-        alike = [m for m in self._marks if is_cloth(m)] if is_cloth(self._marks[k]) else colors
-        return detail and alike == [self._marks[k]] and any(m.role == "garment" for m in self._marks[:j])
+        return detail and self._is_the_only_one(k) and any(m.role == "garment" for m in self._marks[:j])
 
     def _is_bare_part(self, j: int) -> bool:
         mark = self._marks[j]
@@ -355,8 +354,7 @@ class _Reader:
 
     def _covers_all(self, mark: WordMark) -> bool:
         """Whether it is the cloth that one sees: gold sequins, where nothing else has a colour."""
-        colors = [each for each in self._marks if category_of(each) == "colors" and is_look(each)]
-        return len(colors) == 1 and any("sequins" in entry.cannot for entry in mark.entries)
+        return len(self._colors) == 1 and any("sequins" in entry.cannot for entry in mark.entries)
 
     def _is_worn_over(self, mark: WordMark) -> bool:
         """Whether it is put on another garment: the apron of "a dirndl with a white apron"."""
